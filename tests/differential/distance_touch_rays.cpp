@@ -154,7 +154,7 @@ space::Body with_ball(space::Body body, const space::Point& center, const Real& 
 /// have a ball each.
 TEST(TouchRays, ProtrudesOfTheSurface) {
   std::mt19937 random(5);
-  int known = 0, unknown = 0, inside = 0, different = 0;
+  int known = 0, unknown = 0, inside = 0, different = 0, by_surface = 0;
   for (int k = 0; k < 6; ++k) {
     const Both a(k == 0 ? space::extruded({"#.#", "###"}, 2) : space::random_cells(random, 5, 3),
                  k == 0 ? space::stretch(100) : kSkew),
@@ -185,14 +185,31 @@ TEST(TouchRays, ProtrudesOfTheSurface) {
       }
       return space::greatest_rays(std::move(all));
     };
-    const ProtrusionRays surface(of_b, field_of_surfaces(solids), level, corners, grid);
+    const std::shared_ptr<const ProtrusionField> field = field_of_surfaces(solids);
+    const ProtrusionRays surface(
+        protrusion_parts(of_b), field, level, [&](const Real& l) { return stretches_of(corners(l)); }, grid, 1);
+    // B by its surface alone, its corners by one offset surface.
+    std::optional<ProtrusionParts> flat;
+    if (k <= 3) flat = protrusion_parts({space::RaySolid{b.surface, {}}}, *field, level.to_double());
+    by_surface += flat.has_value();
+    const ProtrusionRays outline(
+        flat ? *std::move(flat) : protrusion_parts(of_b), field, level,
+        [&](const Real& l) {
+          const double most = l.to_double() - 1;
+          std::vector<space::Point> of = k <= 3 ? b.surface.points : std::vector<space::Point>();
+          return of.empty() ? stretches_of(corners(l))
+                            : corner_stretches(of, solids, l, grid, [field, most](const space::Extent& box) {
+                                return field->within(box, most);
+                              });
+        },
+        grid, 1);
     for (int j = 0; j < grid.nv; ++j) {
-      const RayRow rows[2] = {parts->row(j), surface.row(j)};
+      const RayRow rows[3] = {parts->row(j), surface.row(j), outline.row(j)};
       for (int i = 0; i < grid.nu; ++i) {
         for (int z = -700; z < 900; z += 9) {
           const int s = space::sign_at(rows[0], i, Real(z)), t = space::sign_at(rows[1], i, Real(z));
           (s != 0 && t != 0 ? known : unknown) += 1;
-          different += s * t < 0;
+          different += s * t < 0 || s * space::sign_at(rows[2], i, Real(z)) < 0;
           inside += t < 0;
         }
       }
@@ -201,6 +218,100 @@ TEST(TouchRays, ProtrudesOfTheSurface) {
   EXPECT_EQ(different, 0);
   EXPECT_GT(inside, 200);
   EXPECT_GT(known, 100 * unknown);
+  EXPECT_GE(by_surface, 3);
+}
+
+/// Two bars on a plate pass through the middle of a room, one above the other and beside it. Only one of them can hold
+/// the place that stands for the room, and where that bar has left it the other one protrudes: nothing is left between.
+TEST(TouchRays, ProtrudesBesideTheVoid) {
+  const Both room(space::around(space::extruded({"###", "###", "###"}, 6), 1), space::stretch(100));
+  Cells cells;
+  for (int y = 0; y < 3; ++y) {
+    for (int z = 0; z < 13; ++z) cells.insert({0, y, z});
+  }
+  cells.insert({1, 0, 2});
+  cells.insert({1, 2, 10});
+  space::Triangles bars = space::surface(cells, {{{150, 0, 0}, {0, 24, 0}, {0, 0, 20}}});
+  for (space::Point& p : bars.points) {  // but for the top of the lower bar no face is along one of the room
+    if (p.z <= 40) p.z -= p.x / 15 + p.y / 12;
+    if (p.z >= 200) p.z += p.x / 15 + p.y / 12;
+  }
+  const std::vector<space::RaySolid> solids{space::RaySolid{room.surface, {}}};
+  const std::shared_ptr<const ProtrusionField> field = field_of_surfaces(solids);
+  std::optional<ProtrusionParts> flat = protrusion_parts({space::RaySolid{bars, {}}}, *field, 90);
+  ASSERT_TRUE(flat);
+  ASSERT_EQ(flat->voids.size(), 1U);
+  const RayGrid grid{2, 1, -82, static_cast<std::int64_t>(flat->voids[0].middle.y) - 12, 2, 2, 3, 3};
+  const ProtrusionRays rays(
+      *std::move(flat), field, Real(90),
+      [&](const Real& l) {
+        return corner_stretches(bars.points, solids, l, grid, [](const space::Extent&) { return false; });
+      },
+      grid, 1);
+  for (int j = 0; j < grid.nv; ++j) {
+    const RayRow row = rays.row(j);
+    for (int i = 0; i < grid.nu; ++i) {
+      std::vector<double> found;
+      for (int e = row.first[std::size_t(i)]; e < row.first[std::size_t(i) + 1]; ++e) {
+        const space::RayEvent& event = row.events[std::size_t(e)];
+        if (found.size() % 2 == 0 ? event.here <= 0 : event.after > 0) found.push_back(event.at.value);
+      }
+      ASSERT_EQ(found.size(), 4U);
+      EXPECT_LT(found[1], -120);
+      EXPECT_GT(found[2], 440);
+    }
+  }
+}
+
+/// A step that holds all of a room while its surface lies in the walls, on the line on which the place that stands for
+/// the room is in the plane of the step's face.
+TEST(TouchRays, ProtrudesIntoTheVoidBelowAFace) {
+  const Both room(space::around(Cells{{0, 0, 0}}, 3), space::stretch(100));
+  const space::Triangles step =
+      space::surface({{0, 0, 0}, {1, 0, 0}, {0, 0, 1}}, {{{150, 0, 0}, {0, 150, 0}, {0, 0, 200}}});
+  const std::vector<space::RaySolid> solids{space::RaySolid{room.surface, {}}};
+  const std::shared_ptr<const ProtrusionField> field = field_of_surfaces(solids);
+  std::optional<ProtrusionParts> flat = protrusion_parts({space::RaySolid{step, {}}}, *field, 20);
+  ASSERT_TRUE(flat);
+  ASSERT_EQ(flat->voids.size(), 1U);
+  constexpr std::int64_t kParts = 1 << 26;
+  const double u = (flat->voids[0].middle.x - 150) * double(kParts);
+  ASSERT_EQ(u, std::floor(u));
+  const RayGrid grid{2, kParts, std::int64_t(u), -25 * kParts, kParts, kParts, 1, 1};
+  const ProtrusionRays rays(
+      *std::move(flat), field, Real(20),
+      [&](const Real& l) {
+        return corner_stretches(step.points, solids, l, grid, [](const space::Extent&) { return false; });
+      },
+      grid, 1);
+  EXPECT_TRUE(rays.row(0).events.empty());
+}
+
+/// Two slabs that overlap hold all of a room together: a line enters the second one before it leaves the first.
+TEST(TouchRays, ProtrudesWhereTwoOverlap) {
+  const Both room(space::around(Cells{{0, 0, 0}}, 3), space::stretch(100));
+  const Cells one{{0, 0, 0}};
+  space::Triangles low = space::surface(one, {{{240, 0, 9}, {0, 240, 5}, {7, 3, 150}}}), high = low;
+  for (space::Point& p : high.points) p = p + space::Point{2, 3, 60};
+  const std::vector<space::RaySolid> solids{space::RaySolid{room.surface, {}}},
+      both{space::RaySolid{low, {}}, space::RaySolid{high, {}}};
+  const std::shared_ptr<const ProtrusionField> field = field_of_surfaces(solids);
+  std::optional<ProtrusionParts> flat = protrusion_parts(both, *field, 20);
+  ASSERT_TRUE(flat);
+  ASSERT_EQ(flat->voids.size(), 1U);
+  std::vector<space::Point> corners = low.points;
+  corners.insert(corners.end(), high.points.begin(), high.points.end());
+  const RayGrid grid{2, 1, -70, -70, 1, 1, 1, 1};
+  const ProtrusionRays rays(
+      *std::move(flat), field, Real(20),
+      [&](const Real& l) {
+        return corner_stretches(corners, solids, l, grid, [](const space::Extent&) { return false; });
+      },
+      grid, 1);
+  const RayRow row = rays.row(0);
+  EXPECT_LT(space::sign_at(row, 0, Real(-270)), 0);
+  for (int z = -120; z <= 20; z += 10) EXPECT_GT(space::sign_at(row, 0, Real(z)), 0) << z;
+  EXPECT_LT(space::sign_at(row, 0, Real(150)), 0);
 }
 
 }  // namespace distance_touch_rays

@@ -2,14 +2,10 @@
 // SPDX-FileCopyrightText: findspace contributors
 #include "distance/rays/protrusion_rays.h"
 
-#include <findspace/error.h>
-
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "distance/rays/line_signs.h"
-#include "distance/search/grown_set.h"
 #include "exact/margins/space_distance.h"
 #include "plane/base/search_work.h"
 #include "space/rays/oblique_line.h"
@@ -18,60 +14,7 @@ namespace findspace::distance {
 
 namespace {
 
-using space::Vector;
-
-/// To the end of a run; a shorter one is as good.
-constexpr int kMostRootSteps = 60;
-
-/// How far a line runs until a convex function, positive at 0, is no longer so: a secant through places before lies
-/// below it beyond, so its zero comes no later.
-double convex_run(const std::function<double(double)>& f, double size) {
-  const double farthest = 4 * size;
-  double before = -size * margin::kSecantStart, at = 0;
-  double value_before = f(before), value = f(at);
-  for (int count = 0; count < kMostRootSteps && value > size * margin::kDistanceNoise; ++count) {
-    // With a margin for rounding, so that steps are rather too short.
-    const double slope = (value - value_before - size * margin::kDistanceNoise) / (at - before);
-    if (slope >= 0 || value > -slope * (farthest - at)) return farthest;
-    const double next = at - value / slope;
-    if (!(next > at)) break;
-    before = at;
-    value_before = value;
-    at = next;
-    value = f(at);
-  }
-  return at;
-}
-
-class PartsField : public ProtrusionField {
- public:
-  PartsField(const space::Body& body, std::span<const space::WallBridge> further) {
-    // Less than 0 inside: at small levels what is deep in A counts.
-    for (const space::BodyPart& part : body.parts) nearest_.push_back(grown_distance(grown_set(part)));
-    for (const space::WallBridge& set : further) nearest_.push_back(grown_distance({set.planes, {}, {}}));
-    const space::Bounds3 box = bounds(body);
-    size_ = space::length(space::rounded(space::minus(box.high, box.low)));
-  }
-  double size() const override { return size_; }
-  SolidMaxMin max_min(const Solids& solids, double slack, double share) const override {
-    return solid_max_min(solids, nearest_, slack, share);
-  }
-  double run(const Vector& x, const Vector& way, double cut, double size) const override {
-    double least = exact::kInfinity;
-    for (const ConvexDistance& d : nearest_)
-      least =
-          std::min(least, convex_run([&](double s) { return d(space::plus(x, space::scaled(s, way))) - cut; }, size));
-    return least;
-  }
-
- private:
-  std::vector<ConvexDistance> nearest_;
-  double size_;
-};
-
 using exact::Real;
-using space::Body;
-using space::BodyPart;
 using space::RayEvent;
 using space::RayGrid;
 using space::RayPosition;
@@ -88,16 +31,24 @@ constexpr int kMostCuts = 4000;
 constexpr std::size_t kMostSeen = 16;
 constexpr double kMuch = 0.25;
 
-double size_of(const Body& body) {
-  const space::Bounds3 box = bounds(body);
-  return space::length(space::rounded(space::minus(box.high, box.low)));
+exact::Refusal spent() { return plane::search_spent("the protrusion of the shape was not found"); }
+exact::Refusal not_clear() {
+  return exact::Refusal(
+      "where the shape protrudes was not found: along a line it touches itself, or runs along a face");
 }
+
+/// Places in a cube of which the half side is 1.
+constexpr Vector kInVoid[] = {{0, 0, 0},           {0.31, 0.17, 0.59},   {-0.23, 0.67, -0.37}, {0.71, -0.47, 0.13},
+                              {0.53, 0.61, -0.19}, {-0.59, -0.29, 0.43}, {0.11, -0.73, -0.67}, {-0.41, 0.37, 0.79}};
+
+/// Places that the outer side takes over from the inner one.
+constexpr std::size_t kFewSeen = 2;
 
 /// The line {x - s * unit} meets the half spaces for s in between; for none where it runs along a face farther outside
 /// than `noise`.
-template <class Planes>
-void clip(const Planes& planes, const Vector& x, const Vector& unit, double noise, double& from, double& to) {
-  for (const space::HalfSpace& h : planes) {
+void clip(const std::vector<EndPlane>& planes, const Vector& x, const Vector& unit, double noise, double& from,
+          double& to) {
+  for (const EndPlane& h : planes) {
     const double value = h.approx_value(x), slope = space::dot(h.unit, unit);  // value - s * slope <= 0
     if (std::fabs(slope) < margin::kAlongFace) {
       if (value <= noise) continue;
@@ -112,39 +63,37 @@ void clip(const Planes& planes, const Vector& x, const Vector& unit, double nois
   }
 }
 
-}  // namespace
-
-std::unique_ptr<ProtrusionField> field_of_parts(const space::Body& body, std::span<const space::WallBridge> further) {
-  return std::make_unique<PartsField>(body, further);
+space::Extent box_of(const ProtrusionPart& part) {
+  if (part.radius > 0) {
+    const Vector r{part.radius, part.radius, part.radius};
+    return {part.center - r, space::plus(part.center, r)};
+  }
+  std::vector<Vector> corners;
+  for (const auto& face : part.faces) corners.insert(corners.end(), face.begin(), face.end());
+  return space::extent_of(corners);
 }
 
-ProtrusionRays::ProtrusionRays(const Body& b, std::unique_ptr<ProtrusionField> a, const Real& level,
-                               const Vertices& vertices, const RayGrid& grid)
-    : grid_(grid), field_(std::move(a)), unit_(static_cast<double>(b.scale) / static_cast<double>(grid.parts)) {
-  for (const BodyPart& part : b.parts) {
-    if (part.point() && part.radius.sign() == 0) continue;  // a point is its vertex
-    Part& made = parts_.emplace_back();
-    if (part.point()) {
-      made.center = exact::approx(part.center);
-      made.radius = part.radius.to_double();
-      continue;
-    }
-    made.solid = tetrahedra(*part.core);
-    for (int f = 0; f < part.core->facet_count(); ++f) {
-      const auto corner = [&](int v) { return exact::approx(part.core->vertices()[static_cast<std::size_t>(v)]); };
-      const std::vector<int> ring = part.core->circuit(f);
-      made.planes.emplace_back(part.core->planes()[static_cast<std::size_t>(f)]);
-      for (std::size_t k = 1; k + 1 < ring.size(); ++k) {
-        made.faces.push_back({corner(ring[0]), corner(ring[k]), corner(ring[k + 1])});
-        made.normals.push_back(made.planes.back().unit);
-      }
-    }
-  }
+}  // namespace
+
+ProtrusionRays::ProtrusionRays(ProtrusionParts b, std::shared_ptr<const ProtrusionField> a, const Real& level,
+                               const Vertices& vertices, const RayGrid& grid, double step,
+                               space::RaySourcePointer first)
+    : grid_(grid),
+      field_(std::move(a)),
+      unit_(step / static_cast<double>(grid.parts)),
+      parts_(std::move(b.parts)),
+      flat_(b.flat),
+      room_(b.room),
+      voids_(std::move(b.voids)),
+      first_(std::move(first)) {
+  std::vector<space::Extent> boxes;
+  for (const Part& part : parts_) boxes.push_back(box_of(part));
+  boxes_ = space::ExtentTree(std::move(boxes));
   const double reach = level.to_double();
-  size_ = field_->size() + size_of(b) + std::fabs(reach);
-  const Real shift = Real::from_double(size_ * kCertain);
-  sides_[0] = {vertices(level), reach + size_ * margin::kPlaceNoise, reach + size_ * kCertain};
-  sides_[1] = {vertices(level - shift), reach - size_ * kCertain, reach - size_ * kCertain / 2};
+  size_ = field_->size() + b.size + std::fabs(reach);
+  const double shift = size_ * kInner;
+  sides_[0] = {vertices(level), reach + size_ * margin::kPlaceNoise + b.moved, reach + size_ * kCertain};
+  sides_[1] = {vertices(level - Real::from_double(shift)), reach - shift, reach - shift / 2 - b.moved};
 }
 
 ProtrusionRays::Line ProtrusionRays::line(int i, int j) const {
@@ -158,33 +107,49 @@ ProtrusionRays::Line ProtrusionRays::line(int i, int j) const {
   return {{start[0], start[1], start[2]}, {unit[0], unit[1], unit[2]}};
 }
 
-/// What B covers on the stretch of its way: it at the start, and what its faces that look ahead sweep; balls at once.
-Solids ProtrusionRays::swept(const Line& line, const Stretch& stretch) const {
+/// What B covers on the stretch of its way, but for what is surely within.
+Solids ProtrusionRays::swept(const Line& line, const Stretch& stretch, double enough) const {
+  const Vector from = space::plus(line.start, space::scaled(stretch.from, line.unit)),
+               to = space::plus(line.start, space::scaled(stretch.to, line.unit));
+  std::vector<std::size_t> some;
+  boxes_.each(
+      [&](const space::Extent& box) {
+        space::Extent all{space::plus(box.low, from), space::plus(box.high, from)};
+        all.add({space::plus(box.low, to), space::plus(box.high, to)});
+        return !field_->within(all, enough);
+      },
+      [&](std::size_t k) { some.push_back(k); });
+  std::sort(some.begin(), some.end());
+  Solids out;
+  for (const std::size_t k : some) add_swept(parts_[k], line, stretch, out);
+  return out;
+}
+
+/// The part at the start, and what its faces that look ahead sweep; balls at once.
+void ProtrusionRays::add_swept(const Part& part, const Line& line, const Stretch& stretch, Solids& out) const {
   const auto at = [&](const Vector& v, double s) {
     return space::plus(v, space::plus(line.start, space::scaled(s, line.unit)));
   };
-  Solids out;
-  for (const Part& part : parts_) {
-    if (part.radius > 0) out.round.push_back({at(part.center, stretch.from), at(part.center, stretch.to), part.radius});
-    for (Tetrahedron t : part.solid) {
-      for (Vector& v : t) v = at(v, stretch.from);
-      out.cells.push_back(t);
-    }
-    if (stretch.to <= stretch.from) continue;
-    for (std::size_t k = 0; k < part.faces.size(); ++k) {
-      if (space::dot(part.normals[k], line.unit) < -margin::kAlongFace)
-        continue;  // no sign: those beside cost, but add nothing
-      std::array<Vector, 6> c;
-      for (std::size_t v = 0; v < 3; ++v) {
-        c[v] = at(part.faces[k][v], stretch.from);
-        c[v + 3] = at(part.faces[k][v], stretch.to);
-      }
-      out.cells.push_back({c[0], c[1], c[2], c[3]});
-      out.cells.push_back({c[1], c[2], c[3], c[4]});
-      out.cells.push_back({c[2], c[3], c[4], c[5]});
-    }
+  if (part.radius > 0) out.round.push_back({at(part.center, stretch.from), at(part.center, stretch.to), part.radius});
+  for (Tetrahedron t : part.solid) {
+    for (Vector& v : t) v = at(v, stretch.from);
+    out.cells.push_back(t);
   }
-  return out;
+  const bool moves = stretch.from < stretch.to;
+  for (std::size_t k = 0; k < part.faces.size(); ++k) {
+    std::array<Vector, 6> c;
+    for (std::size_t v = 0; v < 3; ++v) {
+      c[v] = at(part.faces[k][v], stretch.from);
+      c[v + 3] = at(part.faces[k][v], stretch.to);
+    }
+    // no sign: faces beside cost, but add nothing
+    const bool ahead = moves && space::dot(part.normals[k], line.unit) >= -margin::kAlongFace;
+    if (!ahead && flat_) out.cells.push_back({c[0], c[1], c[2], c[2]});
+    if (!ahead) continue;
+    out.cells.push_back({c[0], c[1], c[2], c[3]});
+    out.cells.push_back({c[1], c[2], c[3], c[4]});
+    out.cells.push_back({c[2], c[3], c[4], c[5]});
+  }
 }
 
 ProtrusionRays::Stretch ProtrusionRays::held(const Part& part, const Line& line, const Vector& off) const {
@@ -199,29 +164,155 @@ ProtrusionRays::Stretch ProtrusionRays::held(const Part& part, const Line& line,
   return {from, to};
 }
 
-/// The places at which a part of B holds x. Where none on the line does, a single place.
-ProtrusionRays::Stretch ProtrusionRays::chord(const Line& line, const Vector& x, const Stretch& within) const {
-  const Vector off = x - line.start;
-  Stretch best{within.from, within.from};
+/// Of one surface, ascending; nothing where they are not clear. Where the line meets an edge or a corner, faces that it
+/// enters by and faces that it leaves by meet: it may only touch there. The sides of the crossings before and after
+/// tell.
+std::optional<std::vector<ProtrusionRays::SolidChord>> ProtrusionRays::chords_of_surface(
+    const Line& line, const Vector& off, std::span<const std::size_t> parts) const {
+  struct Crossing {
+    double at;
+    int sense;  // +: comes to hold it, 0: or leaves it, or touches it
+    const Part* part;
+  };
+  std::vector<Crossing> all;
+  for (const std::size_t k : parts) {
+    const auto [from, to] = held(parts_[k], line, off);
+    if (!(from <= to)) continue;
+    const double along = space::dot(parts_[k].normals[0], line.unit);
+    if (std::fabs(along) < margin::kAlongFace) return std::nullopt;
+    all.push_back({(from + to) / 2, along > 0 ? 1 : -1, &parts_[k]});  // no sign: tested by their order
+  }
+  std::sort(all.begin(), all.end(), [](const Crossing& a, const Crossing& b) { return a.at < b.at; });
+  std::vector<SolidChord> out;
+  const Crossing* unclear = nullptr;  // since the last one that is clear
+  Crossing touched{};
+  bool within = false;
+  const auto cross = [&](const Crossing& c) {
+    if (!within)
+      out.push_back({{c.at, c.at}, c.part, c.part});
+    else
+      out.back().held.to = c.at, out.back().last = c.part;
+    within = !within;
+  };
+  for (std::size_t k = 0; k < all.size();) {
+    Crossing one = all[k];
+    for (++k; k < all.size() && all[k].at - one.at <= size_ * margin::kRayNoise; ++k) {
+      if (all[k].sense != one.sense) one.sense = 0;
+    }
+    if (one.sense == 0) {
+      if (unclear) return std::nullopt;
+      touched = one;
+      unclear = &touched;
+      continue;
+    }
+    if (within != (one.sense < 0)) {
+      if (!unclear) return std::nullopt;
+      cross(*unclear);
+    }
+    unclear = nullptr;
+    cross(one);
+  }
+  if (within && unclear) cross(*unclear);
+  return within ? std::nullopt : std::optional(std::move(out));
+}
+
+/// By the surfaces, ascending; nothing where they are not clear.
+std::optional<std::vector<ProtrusionRays::SolidChord>> ProtrusionRays::solid_chords(
+    const Line& line, const Vector& off, const std::vector<std::size_t>& parts) const {
+  std::vector<SolidChord> all, out;
+  for (auto first = parts.begin(); first != parts.end();) {
+    const auto last =
+        std::find_if(first, parts.end(), [&](std::size_t k) { return parts_[k].surface != parts_[*first].surface; });
+    const auto some = chords_of_surface(line, off, {first, last});
+    if (!some) return std::nullopt;
+    all.insert(all.end(), some->begin(), some->end());
+    first = last;
+  }
+  std::sort(all.begin(), all.end(), [](const SolidChord& a, const SolidChord& b) { return a.held.from < b.held.from; });
+  for (const SolidChord& c : all) {
+    if (out.empty() || c.held.from > out.back().held.to) {
+      out.push_back(c);
+    } else if (c.held.to > out.back().held.to) {
+      out.back().held.to = c.held.to;
+      out.back().last = c.last;
+    }
+  }
+  return out;
+}
+
+/// That which has most in common with the stretch; nothing where that is not clear.
+std::optional<ProtrusionRays::Chord> ProtrusionRays::solid_chord(const Line& line, const Vector& off,
+                                                                 const std::vector<std::size_t>& parts,
+                                                                 const Stretch& within) const {
+  const std::optional<std::vector<SolidChord>> chords = solid_chords(line, off, parts);
+  if (!chords) return std::nullopt;
+  std::optional<Chord> best;
   double longest = -exact::kInfinity;
-  for (const Part& part : parts_) {
-    const auto [from, to] = held(part, line, off);
+  for (const SolidChord& c : *chords) {
+    const double common = std::min(c.held.to, within.to) - std::max(c.held.from, within.from);
+    if (!(common > longest)) continue;
+    longest = common;
+    best = Chord{c.held, c.held.from >= within.from ? c.first : c.last, true};
+  }
+  // A place at the rim of B may be seen to be beside it.
+  return longest >= 0 ? best : std::nullopt;
+}
+
+std::vector<std::size_t> ProtrusionRays::parts_along(const Line& line, const Vector& off, const Stretch& within) const {
+  const double noise = size_ * margin::kRayNoise;
+  std::vector<std::size_t> some;
+  boxes_.each(
+      [&](const space::Extent& box) {
+        double from = within.from - noise, to = within.to + noise;
+        const auto cut = [&](double low, double high, double at, double way) {
+          low -= noise;
+          high += noise;
+          if (way == 0) {  // no sign: a coordinate of the line's direction
+            if (at < low || at > high) to = -exact::kInfinity;
+            return;
+          }
+          from = std::max(from, std::min((at - low) / way, (at - high) / way));
+          to = std::min(to, std::max((at - low) / way, (at - high) / way));
+        };
+        cut(box.low.x, box.high.x, off.x, line.unit.x);
+        cut(box.low.y, box.high.y, off.y, line.unit.y);
+        cut(box.low.z, box.high.z, off.z, line.unit.z);
+        return from <= to;
+      },
+      [&](std::size_t k) { some.push_back(k); });
+  std::sort(some.begin(), some.end());
+  return some;
+}
+
+/// The places at which a part of B holds x. Where none on the line does, a single place.
+ProtrusionRays::Chord ProtrusionRays::chord(const Line& line, const Vector& x, const Stretch& within) const {
+  const Vector off = x - line.start;
+  // A surface has to be known on all of the line.
+  const std::vector<std::size_t> some = parts_along(line, off, flat_ ? kAllOfIt : within);
+  Chord best{{within.from, within.from}, nullptr};
+  if (flat_) {
+    if (const std::optional<Chord> solid = solid_chord(line, off, some, within)) return *solid;
+  }
+  double longest = -exact::kInfinity;
+  for (const std::size_t k : some) {
+    const auto [from, to] = held(parts_[k], line, off);
     const double common = std::min(to, within.to) - std::max(from, within.from);
     if (!(common > longest)) continue;
     longest = common;
+    best.part = &parts_[k];
+    best.exact = from <= to;
     // Rounding may leave nothing of a chord that is a point.
-    best = from <= to ? Stretch{from, to} : Stretch{(from + to) / 2, (from + to) / 2};
+    best.held = from <= to ? Stretch{from, to} : Stretch{(from + to) / 2, (from + to) / 2};
   }
   return best;
 }
 
 /// The places at which x, or what lies before or behind it on its line, is outside V while B holds it.
 ProtrusionRays::Stretch ProtrusionRays::outside(const Side& side, const Line& line, const Vector& x,
-                                                const Stretch& within) const {
+                                                const Stretch& held) const {
   const auto far = [&](double way) {
     return std::max(0.0, field_->run(x, space::scaled(way, line.unit), side.cut, size_) - size_ * margin::kPlaceNoise);
   };
-  const Stretch held = chord(line, x, within);
   return {held.from - far(-1), held.to + far(1)};
 }
 
@@ -229,9 +320,9 @@ std::optional<ProtrusionRays::Stretch> ProtrusionRays::cut_again(const Side& sid
                                                                  const Stretch& stretch, Places& seen) const {
   const auto common = [&](const Stretch& s) { return std::min(s.to, stretch.to) - std::max(s.from, stretch.from); };
   for (std::size_t k = 0; k < seen.size(); ++k) {
-    const Stretch held = chord(line, seen[k], stretch);
+    const Stretch held = chord(line, seen[k], stretch).held;
     if (!(common(held) > 0)) continue;
-    const Stretch cut = outside(side, line, seen[k], stretch);
+    const Stretch cut = outside(side, line, seen[k], held);
     if (!(cut.from < held.from && held.to < cut.to)) continue;  // it is too near to A
     if (!(common(cut) > kMuch * (stretch.to - stretch.from))) continue;
     std::rotate(seen.begin(), seen.begin() + static_cast<std::ptrdiff_t>(k),
@@ -239,6 +330,132 @@ std::optional<ProtrusionRays::Stretch> ProtrusionRays::cut_again(const Side& sid
     return cut;
   }
   return std::nullopt;
+}
+
+std::optional<Vector> ProtrusionRays::outermost(const Side& side, const Line& line, const Part& part, const Vector& x,
+                                                double at, int way, double reach) const {
+  if (part.planes.empty()) return std::nullopt;
+  EndQuestion q{part.planes, line.start, line.unit};
+  q.target = side.cut + (side.enough - side.cut) / 8;
+  q.noise = size_ * margin::kPlaceNoise;
+  q.room = flat_ ? room_ : 4 * q.noise;  // faces are thick
+  q.way = way;
+  q.reach = std::max(reach, size_ * margin::kEndReach);
+  return outermost_place(*field_, q, x, at);
+}
+
+void ProtrusionRays::lengthen(const Side& side, const Line& line, const Stretch& within, const Vector& x, Stretch& cut,
+                              Places& seen) const {
+  const Chord of = chord(line, x, within);
+  if (!of.part) return;
+  for (const int way : {-1, 1}) {
+    const double end = way < 0 ? cut.from : cut.to, away = end - (way < 0 ? of.held.from : of.held.to);
+    if (!(within.from < end && end < within.to)) continue;
+    const std::optional<Vector> y =
+        outermost(side, line, *of.part, space::plus(x, space::scaled(away, line.unit)), end, way, 8 * std::fabs(away));
+    if (!y) continue;
+    const std::optional<Stretch> more = tested(side, line, within, *y);
+    if (!more || !(more->from <= cut.to && cut.from <= more->to)) continue;
+    if (way < 0 ? more->from >= cut.from : more->to <= cut.to) continue;
+    cut = {std::min(cut.from, more->from), std::max(cut.to, more->to)};
+    remember(*y, seen);
+  }
+}
+
+/// What a place cuts away that may lie beside B, or in V.
+std::optional<ProtrusionRays::Stretch> ProtrusionRays::tested(const Side& side, const Line& line, const Stretch& within,
+                                                              const Vector& x) const {
+  const Chord of = chord(line, x, within);
+  if (!of.part || !of.exact || !field_->outside(x)) return std::nullopt;
+  const Stretch cut = outside(side, line, x, of.held);
+  if (!(cut.from < of.held.from && of.held.to < cut.to)) return std::nullopt;  // it is too near to A
+  return cut;
+}
+
+void ProtrusionRays::remember(const Vector& x, Places& seen) {
+  seen.insert(seen.begin(), x);
+  if (seen.size() > kMostSeen) seen.pop_back();
+}
+
+/// No distance grows faster than a step.
+bool ProtrusionRays::settled(const Side& side, const Stretch& stretch, std::span<const Stretch> known) const {
+  const double room = side.enough - sides_[1].enough - size_ * margin::kRayNoise;
+  return std::any_of(known.begin(), known.end(),
+                     [&](const Stretch& k) { return std::max(k.from - stretch.from, stretch.to - k.to) <= room; });
+}
+
+exact::Tried<std::optional<ProtrusionRays::Stretch>> ProtrusionRays::cut_by_void(const Side& side, const Line& line,
+                                                                                 const Stretch& stretch,
+                                                                                 Places& seen) const {
+  for (const VoidPlace& v : voids_) {
+    Vector x{};
+    std::optional<std::vector<SolidChord>> chords;
+    for (const Vector& way : kInVoid) {  // a line that runs along a face, or meets an edge, does not tell
+      x = space::plus(v.middle, space::scaled(v.room, way));
+      chords = solid_chords(line, x - line.start, parts_along(line, x - line.start, kAllOfIt));
+      if (chords) break;
+    }
+    if (!chords) return not_clear();
+    for (const SolidChord& c : *chords) {
+      const Stretch cut = outside(side, line, x, c.held);
+      // It is open: at its end it cuts nothing away, and the stretch that it left begins there.
+      if (!(cut.from < stretch.to && stretch.from < cut.to)) continue;
+      remember(x, seen);
+      return std::optional(cut);
+    }
+  }
+  return std::optional<Stretch>();
+}
+
+/// Beside what is known to be kept the places that ended it are nearly the ones.
+std::optional<ProtrusionRays::Stretch> ProtrusionRays::cut_beside(const Side& side, const Line& line,
+                                                                  const Stretch& stretch,
+                                                                  std::span<const Stretch> known, Places& seen) const {
+  const Places before(seen.begin(), seen.begin() + static_cast<std::ptrdiff_t>(std::min(seen.size(), kFewSeen)));
+  for (const Stretch& k : known) {
+    const int way = k.to <= stretch.from ? -1 : 1;
+    const double end = way < 0 ? stretch.from : stretch.to;
+    if ((way < 0 ? k.to : k.from) != end) continue;
+    // A short one may be left to what is cut away beyond, so that nothing is left between them.
+    if (stretch.to - stretch.from <= 8 * (side.enough - sides_[1].enough)) continue;
+    for (const Vector& x : before) {
+      const Chord of = chord(line, x, stretch);
+      if (!of.part) continue;
+      const double at = way < 0 ? of.held.from : of.held.to;
+      if (std::fabs(at - end) > size_ * margin::kEndReach) continue;
+      const std::optional<Vector> y = outermost(side, line, *of.part, x, at, way, 0);
+      const std::optional<Stretch> cut = y ? tested(side, line, stretch, *y) : std::nullopt;
+      // A short one would leave places between it and what is cut away beyond.
+      if (!cut ||
+          !(std::min(cut->to, stretch.to) - std::max(cut->from, stretch.from) > kMuch * (stretch.to - stretch.from)))
+        continue;
+      remember(*y, seen);
+      return cut;
+    }
+  }
+  return std::nullopt;
+}
+
+exact::Tried<std::optional<ProtrusionRays::Stretch>> ProtrusionRays::cut(const Side& side, const Line& line,
+                                                                         const Stretch& stretch,
+                                                                         std::span<const Stretch> known,
+                                                                         Places& seen) const {
+  exact::Tried<std::optional<Stretch>> by_void = cut_by_void(side, line, stretch, seen);
+  if (!by_void) return by_void;
+  std::optional<Stretch> out = *by_void;
+  if (!out) out = cut_again(side, line, stretch, seen);
+  if (!out) out = cut_beside(side, line, stretch, known, seen);
+  if (!out) {
+    const SolidMaxMin max_min = field_->max_min(swept(line, stretch, side.enough), side.enough, kProvenShare);
+    if (!max_min.complete) return spent();
+    if (max_min.value <= side.enough) return std::optional<Stretch>();
+    const Chord of = chord(line, max_min.place, stretch);
+    if (!of.part || (flat_ && !of.exact)) return not_clear();
+    out = outside(side, line, max_min.place, of.held);
+    remember(max_min.place, seen);
+  }
+  lengthen(side, line, stretch, Vector(seen.front()), *out, seen);
+  return out;
 }
 
 /// Disjoint open stretches of `whole`, ascending; or all of it, where it is a single place. None in `known`.
@@ -258,19 +475,15 @@ exact::Tried<std::vector<ProtrusionRays::Stretch>> ProtrusionRays::cuts(const Si
   while (!left.empty()) {
     const Stretch s = left.back();
     left.pop_back();
-    std::optional<Stretch> again = cut_again(side, line, s, seen);
-    if (!again) {
-      const SolidMaxMin max_min = field_->max_min(swept(line, s), side.enough, kProvenShare);
-      if (!max_min.complete || ++count > plane::allowed(kMostCuts))
-        return plane::search_spent("the protrusion of the shape was not found");
-      if (max_min.value <= side.enough) continue;
-      again = outside(side, line, max_min.place, s);
-      seen.insert(seen.begin(), max_min.place);
-      if (seen.size() > kMostSeen) seen.pop_back();
-    }
-    const Stretch cut{std::max(again->from, s.from), std::min(again->to, s.to)};
+    if (settled(side, s, known)) continue;
+    const exact::Tried<std::optional<Stretch>> found = this->cut(side, line, s, known, seen);
+    if (!found) return found.refusal();
+    if (!*found) continue;
+    if (++count > plane::allowed(kMostCuts)) return spent();
+    const Stretch cut{std::max((*found)->from, s.from), std::min((*found)->to, s.to)};
     if (s.from == s.to) return std::vector{s};  // the whole is a single place
-    if (!(cut.from < cut.to)) continue;
+    // Where B holds the place was not seen, so it is not known what is cut away.
+    if (!(cut.from < cut.to)) return not_clear();
     out.push_back(cut);
     if (s.from < cut.from) left.push_back({s.from, cut.from});
     if (cut.to < s.to) left.push_back({cut.to, s.to});
@@ -328,11 +541,8 @@ std::vector<ProtrusionRays::Stretch> ProtrusionRays::stretches(const RayRow& row
 }
 
 /// `inner`: what is certainly kept.
-exact::Tried<RayRow> ProtrusionRays::kept(const Side& side, int j, const RayRow* inner,
+exact::Tried<RayRow> ProtrusionRays::kept(const Side& side, int j, const RayRow& allowed, const RayRow* inner,
                                           std::vector<Places>& seen) const {
-  const exact::Tried<RayRow> found = side.vertices->try_row(j);
-  if (!found) return found;
-  const RayRow& all = *found;
   RayRow out;
   seen.resize(static_cast<std::size_t>(grid_.nu));
   for (int i = 0; i < grid_.nu; ++i) {
@@ -340,12 +550,12 @@ exact::Tried<RayRow> ProtrusionRays::kept(const Side& side, int j, const RayRow*
     const std::vector<Stretch> known = inner ? stretches(*inner, i) : std::vector<Stretch>{};
     out.before.push_back(1);
     if (!inner && i > 0) seen[column] = seen[column - 1];
-    for (int e = all.first[column]; e < all.first[column + 1]; ++e) {
-      const RayEvent& first = all.events[static_cast<std::size_t>(e)];
+    for (int e = allowed.first[column]; e < allowed.first[column + 1]; ++e) {
+      const RayEvent& first = allowed.events[static_cast<std::size_t>(e)];
       if (first.here > 0) continue;
       // Places where a vertex touches from inside are not ends.
-      while (all.events[static_cast<std::size_t>(e)].after <= 0) ++e;
-      const RayEvent& last = all.events[static_cast<std::size_t>(e)];
+      while (allowed.events[static_cast<std::size_t>(e)].after <= 0) ++e;
+      const RayEvent& last = allowed.events[static_cast<std::size_t>(e)];
       const exact::Tried<std::vector<Stretch>> gone = cuts(side, line(i, j), whole(first, last), known, seen[column]);
       if (!gone) return gone.refusal();
       keep(*gone, first, last, out.events);
@@ -356,14 +566,26 @@ exact::Tried<RayRow> ProtrusionRays::kept(const Side& side, int j, const RayRow*
 }
 
 exact::Tried<RayRow> ProtrusionRays::try_row(int j) const {
+  std::optional<RayRow> before;
+  if (first_) {
+    exact::Tried<RayRow> row = first_->try_row(j);
+    if (!row) return row;
+    before = *std::move(row);
+  }
+  const exact::Tried<RayRow> allowed = sides_[0].vertices->try_row(j, before ? &*before : nullptr);
+  if (!allowed) return allowed;
+  const exact::Tried<RayRow> allowed_inner = sides_[1].vertices->try_row(j, &*allowed);
+  if (!allowed_inner) return allowed_inner;
   std::vector<Places> seen;
-  const exact::Tried<RayRow> inner = kept(sides_[1], j, nullptr, seen);
+  const exact::Tried<RayRow> inner = kept(sides_[1], j, *allowed_inner, nullptr, seen);
   if (!inner) return inner;
-  const exact::Tried<RayRow> outer = kept(sides_[0], j, &*inner, seen);
+  const exact::Tried<RayRow> outer = kept(sides_[0], j, *allowed, &*inner, seen);
   if (!outer) return outer;
-  const std::array<RayRow, 2> rows{*outer, *inner};
+  std::vector<RayRow> rows{*outer, *inner};
+  if (before) rows.push_back(*std::move(before));
   return space::combined(rows, [](std::span<const std::int8_t> s) {
-    return static_cast<std::int8_t>(s[1] < 0 ? -1 : s[0] < 0 ? 0 : 1);
+    const int own = s[1] < 0 ? -1 : s[0] < 0 ? 0 : 1;
+    return static_cast<std::int8_t>(s.size() > 2 ? std::max<int>(own, s[2]) : own);
   });
 }
 

@@ -5,8 +5,11 @@
 // <= level} on rays, A not convex. V has creases and pockets, so a position can be lost at an edge or in a face of B
 // between vertices that are all in V. On each line the places that all vertices allow are found exactly. A
 // branch-and-bound search (solid_max_min.h) through what B sweeps over a stretch of them then proves that nothing
-// protrudes, or gives a point of B outside V; all places at which that point is outside are cut away, and the search
-// goes on with the rest. The places of these points are tried on the next line of the row before it is searched.
+// protrudes, or gives a point of B outside V. It is moved to where most of the line is cut away by it
+// (protrusion_end.h); all places at which it is outside are cut away, and the search goes on with the rest. The places
+// of these points are tried on the next line of the row before it is searched.
+// The triangles of its surface stand for B where the places within B are known that may be farthest
+// (void_places.h): then no convex parts of B are needed.
 // Guarantee: the sign is - or + only where that is certain; 0 where the distance is within kCertain of the shapes' size
 // and the level of the level; at levels this near to 0 what lies within no part of A, and no further set, is not seen
 // to be inside. Ends of {<= level} that a vertex decides are exact. Cost: a search a stretch, and some for an end that
@@ -15,23 +18,33 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
+#include <vector>
 
+#include "distance/rays/corner_rays.h"
+#include "distance/rays/protrusion_end.h"
 #include "distance/search/round_solid.h"
 #include "distance/search/solid_max_min.h"
 #include "exact/margins/space_distance.h"
 #include "space/body/body.h"
 #include "space/body/wall_bridges.h"
 #include "space/convolution/ray_solids.h"
+#include "space/polytope/extent_tree.h"
 #include "space/rays/ray_sources.h"
 
 namespace findspace::distance {
 
+/// A cube of so many steps about its middle that lies in a void.
+struct VoidPlace {
+  space::Vector middle;
+  double room = 0;
+};
+
 /// The body A that another protrudes from: by its convex parts, or by the triangles of its surface
 /// (surface_max_min.cpp).
-class ProtrusionField {
+class ProtrusionField : public EndField {
  public:
-  virtual ~ProtrusionField() = default;
   /// The length of its diagonal.
   virtual double size() const = 0;
   /// The point of the solids that is farthest out, as in solid_max_min.h.
@@ -39,25 +52,60 @@ class ProtrusionField {
   /// How far x may run along the way and stay farther than `cut` from the body, at least, and about that; x is farther.
   /// `size`: of all.
   virtual double run(const space::Vector& x, const space::Vector& way, double cut, double size) const = 0;
+  /// A place in each part of space that is farther than `most` and may be one that a place at which the distance is
+  /// greater than around it, and than `least`, lies in; nothing where such are not known.
+  virtual std::optional<std::vector<VoidPlace>> voids(double /*least*/, double /*most*/) const { return {}; }
+  /// Whether x, which is farther than a level above 0 from the frontier, is outside for sure.
+  virtual bool outside(const space::Vector& x) const = 0;
+  /// True only where no place of the box is farther than `most`.
+  virtual bool within(const space::Extent& /*box*/, double /*most*/) const { return false; }
 };
 
 /// `further`: sets within the body.
-std::unique_ptr<ProtrusionField> field_of_parts(const space::Body& body,
+std::shared_ptr<ProtrusionField> field_of_parts(const space::Body& body,
                                                 std::span<const space::WallBridge> further = {});
 /// Of the union of solids, which are not too far out. Distances inside are at most 0.
-std::unique_ptr<ProtrusionField> field_of_surfaces(const std::vector<space::RaySolid>& solids);
+std::shared_ptr<ProtrusionField> field_of_surfaces(const std::vector<space::RaySolid>& solids);
+
+/// What B is made of: polyhedra, balls (of a radius), and triangles, in the steps of A.
+struct ProtrusionPart {
+  std::vector<Tetrahedron> solid;
+  std::vector<std::array<space::Vector, 3>> faces;  // triangles
+  std::vector<space::Vector> normals;               // of the triangles, outward
+  std::vector<EndPlane> planes;
+  space::Vector center;
+  double radius = 0;
+  int surface = 0;  // that a triangle is of
+};
+struct ProtrusionParts {
+  std::vector<ProtrusionPart> parts;
+  double size = 0;    // of B
+  double moved = 0;   // what the parts may be off
+  double room = 0;    // half of how thick the triangles are
+  bool flat = false;  // they are the triangles of a surface, to go with these places about A
+  std::vector<VoidPlace> voids{};
+};
+/// In steps of the body, times `factor`.
+ProtrusionParts protrusion_parts(const space::Body& body, double factor = 1);
+/// The triangles of its surface; nothing where the voids of A are not known.
+std::optional<ProtrusionParts> protrusion_parts(const std::vector<space::RaySolid>& solids, const ProtrusionField& a,
+                                                double level);
 
 class ProtrusionRays : public space::RaySource {
  public:
   /// How near to the level the sign is 0, of the size of both bodies and the level.
   static constexpr double kCertain = margin::kRayCertain;
+  /// So far below the level what is certainly kept ends.
+  static constexpr double kInner = kCertain / 8;
 
-  /// Makes the sign map that the vertices of B have for a level.
-  using Vertices = std::function<space::RaySourcePointer(const exact::Real& level)>;
+  /// Makes what the vertices of B allow for a level.
+  using Vertices = std::function<std::unique_ptr<LineStretches>(const exact::Real& level)>;
 
-  /// B of polyhedra and balls, of the same scale as A; the level is not less than 0.
-  ProtrusionRays(const space::Body& b, std::unique_ptr<ProtrusionField> a, const exact::Real& level,
-                 const Vertices& vertices, const space::RayGrid& grid);
+  /// The level is not less than 0. `step`: steps of A to a grid step. `first`: if there is one, the sign is the greater
+  /// one of both, and where that is + nothing is searched.
+  ProtrusionRays(ProtrusionParts b, std::shared_ptr<const ProtrusionField> a, const exact::Real& level,
+                 const Vertices& vertices, const space::RayGrid& grid, double step,
+                 space::RaySourcePointer first = nullptr);
 
   const space::RayGrid& grid() const override { return grid_; }
   exact::Tried<space::RayRow> try_row(int j) const override;
@@ -72,29 +120,28 @@ class ProtrusionRays : public space::RaySource {
   struct Stretch {
     double from, to;
   };
+  static constexpr Stretch kAllOfIt{-exact::kInfinity, exact::kInfinity};
   /// Places outside V that B reached on lines before, the last one first.
   using Places = std::vector<space::Vector>;
   /// A side of the region: what is kept certainly holds it, or lies in it.
   struct Side {
-    space::RaySourcePointer vertices;
+    std::unique_ptr<LineStretches> vertices;
     double cut;     // beyond this distance from A a point of B is outside
     double enough;  // up to this nothing protrudes
   };
 
-  /// A polyhedron or, with a radius, a ball.
-  struct Part {
-    std::vector<Tetrahedron> solid;
-    std::vector<std::array<space::Vector, 3>> faces;  // triangles
-    std::vector<space::Vector> normals;               // of the triangles, outward
-    std::vector<space::HalfSpace> planes;
-    space::Vector center;
-    double radius = 0;
+  using Part = ProtrusionPart;
+  /// Where the part holds a point on its way; nothing of it: none does.
+  struct Chord {
+    Stretch held;
+    const Part* part = nullptr;
+    bool exact = false;  // it does for sure
   };
 
   Line line(int i, int j) const;
   std::vector<Stretch> stretches(const space::RayRow& row, int i) const;
-  /// `seen`: of each line.
-  exact::Tried<space::RayRow> kept(const Side& side, int j, const space::RayRow* inner,
+  /// Of what its vertices allow. `seen`: of each line.
+  exact::Tried<space::RayRow> kept(const Side& side, int j, const space::RayRow& allowed, const space::RayRow* inner,
                                    std::vector<Places>& seen) const;
   Stretch whole(const space::RayEvent& first, const space::RayEvent& last) const;
   void keep(std::span<const Stretch> gone, const space::RayEvent& first, const space::RayEvent& last,
@@ -103,17 +150,55 @@ class ProtrusionRays : public space::RaySource {
                                           std::span<const Stretch> known, Places& seen) const;
   /// What a place that was outside before cuts away of the stretch, if that is much of it.
   std::optional<Stretch> cut_again(const Side& side, const Line& line, const Stretch& stretch, Places& seen) const;
-  Solids swept(const Line& line, const Stretch& stretch) const;
-  Stretch outside(const Side& side, const Line& line, const space::Vector& x, const Stretch& within) const;
-  Stretch chord(const Line& line, const space::Vector& x, const Stretch& within) const;
+  /// What the stretch is cut by, or nothing where nothing protrudes.
+  exact::Tried<std::optional<Stretch>> cut(const Side& side, const Line& line, const Stretch& stretch,
+                                           std::span<const Stretch> known, Places& seen) const;
+  /// A longer cut, by places near the one whose cut it is.
+  void lengthen(const Side& side, const Line& line, const Stretch& within, const space::Vector& x, Stretch& cut,
+                Places& seen) const;
+  /// By a void that B holds.
+  exact::Tried<std::optional<Stretch>> cut_by_void(const Side& side, const Line& line, const Stretch& stretch,
+                                                   Places& seen) const;
+  std::optional<Stretch> cut_beside(const Side& side, const Line& line, const Stretch& stretch,
+                                    std::span<const Stretch> known, Places& seen) const;
+  std::optional<Stretch> tested(const Side& side, const Line& line, const Stretch& within,
+                                const space::Vector& x) const;
+  static void remember(const space::Vector& x, Places& seen);
+  /// Towards the lower places, or the higher ones; from B at a place.
+  std::optional<space::Vector> outermost(const Side& side, const Line& line, const Part& part, const space::Vector& x,
+                                         double at, int way, double reach) const;
+  /// Whether B protrudes by so little beside the stretches known that it does not protrude on this one.
+  bool settled(const Side& side, const Stretch& stretch, std::span<const Stretch> known) const;
+  Solids swept(const Line& line, const Stretch& stretch, double enough) const;
+  void add_swept(const Part& part, const Line& line, const Stretch& stretch, Solids& out) const;
+  Stretch outside(const Side& side, const Line& line, const space::Vector& x, const Stretch& held) const;
+  /// Those of the parts whose boxes meet the line of a point, at places in the stretch.
+  std::vector<std::size_t> parts_along(const Line& line, const space::Vector& off, const Stretch& within) const;
+  /// Where a flat B comes to hold the point, and where it leaves it.
+  struct SolidChord {
+    Stretch held;
+    const Part *first, *last;
+  };
+  std::optional<std::vector<SolidChord>> chords_of_surface(const Line& line, const space::Vector& off,
+                                                           std::span<const std::size_t> parts) const;
+  std::optional<std::vector<SolidChord>> solid_chords(const Line& line, const space::Vector& off,
+                                                      const std::vector<std::size_t>& parts) const;
+  std::optional<Chord> solid_chord(const Line& line, const space::Vector& off, const std::vector<std::size_t>& parts,
+                                   const Stretch& within) const;
+  Chord chord(const Line& line, const space::Vector& x, const Stretch& within) const;
   /// The places at which the part of B, drawn at 0, holds `off`.
   Stretch held(const Part& part, const Line& line, const space::Vector& off) const;
 
   space::RayGrid grid_;
-  std::unique_ptr<ProtrusionField> field_;  // of A
-  double unit_, size_;                      // grid parts to the bodies' steps
-  std::vector<Part> parts_;                 // of B
-  std::array<Side, 2> sides_;               // outer, inner
+  std::shared_ptr<const ProtrusionField> field_;  // of A
+  double unit_, size_;                            // grid parts to the bodies' steps
+  std::vector<Part> parts_;                       // of B
+  bool flat_;                                     // of them: the surface of B alone
+  double room_;                                   // half of how thick that is
+  std::vector<VoidPlace> voids_;
+  space::ExtentTree boxes_;    // of the parts
+  std::array<Side, 2> sides_;  // outer, inner
+  space::RaySourcePointer first_;
 };
 
 }  // namespace findspace::distance

@@ -283,7 +283,8 @@ Source RaySignMaker::mu(const Real& level) const {
   std::vector<space::WallBridge> across;
   if (level.sign() == 0) across = space::wall_bridges(a_);
   return std::make_unique<ProtrusionRays>(
-      b_, field_of_parts(a_, across), level, [&](const Real& l) { return vertices_near(l, across); }, grid_);
+      protrusion_parts(b_), field_of_parts(a_, across), level,
+      [&](const Real& l) { return stretches_of(vertices_near(l, across)); }, grid_, static_cast<double>(scale_));
 }
 
 Source RaySignMaker::gamma2(const Real& level) const {

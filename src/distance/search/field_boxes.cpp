@@ -18,18 +18,21 @@ struct FieldBoxes::Box {
   ~Box() { delete children.load(); }
 };
 
-/// A tetrahedron: the box about it, and the planes of its faces.
+/// A box, or a tetrahedron: the box about it, and the planes of its faces.
 struct FieldBoxes::Asked {
   space::Extent box;
   struct Plane {
     Vector normal;  // outward
     double offset = 0, spread = 0;
   };
-  std::array<Plane, 4> planes;
+  std::array<Plane, 4> planes{};
+  bool flat_sided = false;  // the planes count
   double most = 0, least_half = 0;
 
-  Asked(const Tetrahedron& t, double most_, double smallest) : box{t[0], t[0]}, most(most_) {
-    for (const Vector& v : t) box.add({v, v});
+  Asked(const space::Extent& b, double most_, double smallest)
+      : box(b), most(most_), least_half(std::max(smallest, space::length(b.high - b.low) / 64)) {}
+  Asked(const Tetrahedron& t, double most_, double smallest) : Asked(box_of(t), most_, smallest) {
+    flat_sided = true;
     for (std::size_t k = 0; k < 4; ++k) {
       const Vector &a = t[(k + 1) % 4], e = t[(k + 2) % 4] - a, g = t[(k + 3) % 4] - a, f = t[k] - a;
       Vector n{e.y * g.z - e.z * g.y, e.z * g.x - e.x * g.z, e.x * g.y - e.y * g.x};
@@ -39,12 +42,17 @@ struct FieldBoxes::Asked {
           margin::kFacePlane * space::size_of(n) * (space::size_of(box.low) + space::size_of(box.high));
       planes[k] = {n, space::dot(n, a) + tolerance, space::size_of(n)};
     }
-    least_half = std::max(smallest, space::length(box.high - box.low) / 64);
+  }
+  static space::Extent box_of(const Tetrahedron& t) {
+    space::Extent out{t[0], t[0]};
+    for (const Vector& v : t) out.add({v, v});
+    return out;
   }
   bool misses(const Vector& middle, double half) const {
     if (!box.holds(middle, half)) return true;
-    return std::any_of(planes.begin(), planes.end(),
-                       [&](const Plane& p) { return space::dot(p.normal, middle) - half * p.spread > p.offset; });
+    return flat_sided && std::any_of(planes.begin(), planes.end(), [&](const Plane& p) {
+             return space::dot(p.normal, middle) - half * p.spread > p.offset;
+           });
   }
 };
 
@@ -91,7 +99,12 @@ bool FieldBoxes::within(const Box& box, const Vector& middle, double half, const
 }
 
 bool FieldBoxes::within(const Tetrahedron& corners, double most) const {
-  const Asked asked(corners, most, least_half_);
+  return within(Asked(corners, most, least_half_));
+}
+
+bool FieldBoxes::within(const space::Extent& box, double most) const { return within(Asked(box, most, least_half_)); }
+
+bool FieldBoxes::within(const Asked& asked) const {
   const space::Extent all = grown({middle_, middle_}, half_);
   if (!all.holds(asked.box.low, 0) || !all.holds(asked.box.high, 0)) return false;
   return within(*root_, middle_, half_, asked);

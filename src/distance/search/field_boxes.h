@@ -28,12 +28,15 @@ class FieldBoxes {
 
   /// True where no place of the tetrahedron has more than `most`; false where the boxes do not tell.
   bool within(const Tetrahedron& corners, double most) const;
+  /// Of a box.
+  bool within(const space::Extent& box, double most) const;
   /// Half the side of the smallest boxes.
   double least_half() const { return least_half_; }
 
  private:
   struct Box;
   struct Asked;
+  bool within(const Asked& asked) const;
   bool within(const Box& box, const space::Vector& middle, double half, const Asked& asked) const;
   const std::array<Box, 8>& children(const Box& box, const space::Vector& middle, double half) const;
 

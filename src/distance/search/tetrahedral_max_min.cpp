@@ -41,8 +41,7 @@ class TetrahedralMaxMin {
   SolidMaxMin run(long most);
 
  private:
-  /// `ceiling`: nothing in it has more.
-  void add(const Tetrahedron& corner, const RoundSolid* round, double ceiling, const std::vector<int>& sets);
+  void add(MaxMinCell cell);
   void split(const MaxMinCell& cell);
   bool dropped(double bound);
   double bend(const MaxMinCell& cell, std::size_t v, std::size_t w) const;
@@ -56,19 +55,18 @@ class TetrahedralMaxMin {
 void TetrahedralMaxMin::add(const Solids& solids) {
   const std::vector<int> sets = target_.sets();
   for (const Vector& v : solids.corners) target_.offer_in(v, best_);
-  for (const Tetrahedron& t : solids.cells) add(t, nullptr, exact::kInfinity, sets);
+  for (const Tetrahedron& t : solids.cells) add({{t}, sets, {}, nullptr, exact::kInfinity});
   for (const RoundSolid& r : solids.round) {
     // No distance grows faster than a step.
     const double ceiling =
         r.way ? exact::kInfinity : target_.offer_in(r.from, best_) + space::length(r.to - r.from) + r.radius;
-    for (const Tetrahedron& t : around(r)) add(t, &r, ceiling, sets);
+    for (const Tetrahedron& t : around(r)) add({{t}, sets, {}, &r, ceiling});
   }
 }
 
-void TetrahedralMaxMin::add(const Tetrahedron& corner, const RoundSolid* round, double ceiling,
-                            const std::vector<int>& sets) {
-  MaxMinCell cell{{corner}, sets, {}, round, ceiling};
-  const Vector middle = centre(corner);
+/// Nothing in it has more than its bound.
+void TetrahedralMaxMin::add(MaxMinCell cell) {
+  const Vector middle = centre(cell.corner);
   const std::optional<Column> beyond = target_.beyond(cell, middle);
   if (beyond && *std::min_element(beyond->begin(), beyond->end()) > best_.near()) return;
   if (!target_.look(cell, middle, best_) || dropped(cell.bound)) return;
@@ -77,7 +75,7 @@ void TetrahedralMaxMin::add(const Tetrahedron& corner, const RoundSolid* round, 
     cell.bound = std::min(cell.bound, lp.value);
     if (dropped(cell.bound)) return;
     const std::size_t known = cell.distances.size();
-    target_.offer(mean(lp.rows, corner), cell, best_);
+    target_.offer(mean(lp.rows, cell.corner), cell, best_);
     if (cell.distances.size() == known) break;
   }
   if (!dropped(cell.bound)) queue_.push(std::move(cell));
@@ -139,7 +137,8 @@ void TetrahedralMaxMin::split(const MaxMinCell& cell) {
       b = w_bent;
     }
   }
-  for (const Tetrahedron& half : halves(cell.corner, a, b)) add(half, cell.round, cell.bound, cell.sets);
+  for (const Tetrahedron& half : halves(cell.corner, a, b))
+    add({{half}, cell.sets, {}, cell.round, cell.bound, cell.near, cell.near_reach, cell.outside});
 }
 
 }  // namespace

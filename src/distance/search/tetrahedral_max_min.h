@@ -12,6 +12,7 @@
 // branch and bound, linear program.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -27,6 +28,11 @@ struct MaxMinCell : TetrahedralCell {
   std::vector<Column> distances;      // from these, at its corners
   const RoundSolid* round = nullptr;  // only what lies in it counts
   double bound = 0;
+  /// What a target knows of the cell, which its halves begin with: the sets, if not null, of which one is the nearest
+  /// at each place, about a place within `near_reach`; and whether all of it is outside the body.
+  std::shared_ptr<const std::vector<int>> near{};
+  double near_reach = 0;
+  bool outside = false;
   bool operator<(const MaxMinCell& other) const { return bound < other.bound; }
 };
 

@@ -15,9 +15,8 @@ namespace {
 /// Distances for an answer, at most: what they do not show smaller boxes do.
 constexpr int kMostLooks = 400;
 
-/// Balls in a solid, at most, and steps that shrink one.
+/// Balls in a solid, at most.
 constexpr std::size_t kMostBalls = 300;
-constexpr int kShrinks = 12;
 
 /// Faces of a mesh whose middles are places: in a finer one the corners are as near to one another, and the middles are
 /// five times as many.
@@ -26,27 +25,6 @@ constexpr std::size_t kMostMiddles = 200000;
 Vector middle_of(const space::RayBody& body, int f) {
   const auto corner = [&](int k) { return exact::approx(body.corner(f, k)); };
   return space::scaled(1.0 / 3, space::plus(corner(0), space::plus(corner(1), corner(2))));
-}
-
-/// The largest ball within the surface that touches it at the middle of the face, more or less: its centre, and a
-/// radius that is surely not too large.
-std::optional<std::pair<Vector, double>> inner_ball(const SurfaceField& field, const space::RayBody& body, int f) {
-  const Vector from = middle_of(body, f), normal = body.normal_approx[static_cast<std::size_t>(f)];
-  const Vector inward = space::scaled(-1 / space::length(normal), normal);
-  const Vector wide = exact::approx(body.high - body.low);
-  double radius = std::min({wide.x, wide.y, wide.z}) / 2;  // none is larger
-  for (int k = 0; k < kShrinks; ++k) {
-    const Vector at = space::plus(from, space::scaled(radius, inward));
-    const SurfaceField::Signed there = field.at(at);
-    const Vector way = there.projection - from;
-    const double along = 2 * space::dot(way, inward);
-    if (there.distance >= radius * (1 - margin::kBallTouches) || !(along > 0)) break;
-    radius = std::min(radius, space::dot(way, way) / along);
-  }
-  const Vector at = space::plus(from, space::scaled(radius, inward));
-  const SurfaceField::Signed there = field.at(at);
-  if (!there.certain || !(there.value < 0)) return std::nullopt;
-  return std::pair(at, there.distance * (1 - margin::kBallShrunk));
 }
 
 }  // namespace
@@ -67,7 +45,7 @@ std::vector<SurfaceDepths::Place> SurfaceDepths::places_of(const space::SurfaceS
   if (!balls) return out;
   const SurfaceField field(set, {});
   for (std::size_t f = 0; f < body.faces.size(); f += body.faces.size() / kMostBalls + 1) {
-    if (const auto ball = inner_ball(field, body, static_cast<int>(f))) out.push_back({ball->first, ball->second});
+    if (const auto ball = field.inner_ball(static_cast<int>(f))) out.push_back({ball->center, ball->radius});
   }
   return out;
 }

@@ -17,6 +17,9 @@ using Sheet = space::SurfaceSet::Sheet;
 
 namespace {
 
+/// Steps that shrink a ball.
+constexpr int kShrinks = 12;
+
 /// The square of the distance.
 double box_gap(const space::GridBox& box, const Vector& x) {
   const auto gap = [](std::int64_t low, std::int64_t high, double at) {
@@ -197,6 +200,52 @@ double SurfaceField::distance_to_place(int part, const Vector& x) const {
   return std::sqrt(space::near::dot(way, way));
 }
 
+std::optional<Vector> SurfaceField::normal(int part) const {
+  if (part >= first_.back()) return std::nullopt;
+  const auto& [a, b, c] = corners_[static_cast<std::size_t>(part)];
+  const Vector n = space::cross(b - a, c - a);
+  return space::scaled(1 / space::length(n), n);
+}
+
+std::optional<InnerBall> SurfaceField::inner_ball(int part) const {
+  if (part >= first_.back()) {
+    const auto& ball = set_.balls()[static_cast<std::size_t>(part - first_.back())];
+    return InnerBall{space::plus(exact::approx(ball.center), by_), ball.radius.to_double() * (1 - margin::kBallShrunk)};
+  }
+  const auto sheet =
+      static_cast<std::size_t>(std::upper_bound(first_.begin(), first_.end(), part) - first_.begin() - 1);
+  const space::RayBody& body = set_.sheets()[sheet]->body;
+  const auto& [a, b, c] = corners_[static_cast<std::size_t>(part)];
+  const Vector from = space::scaled(1.0 / 3, space::plus(a, space::plus(b, c)));
+  const Vector normal = body.normal_approx[static_cast<std::size_t>(part - first_[sheet])];
+  const Vector inward = space::scaled(-1 / space::length(normal), normal);
+  const Vector wide = exact::approx(body.high - body.low);
+  double radius = std::min({wide.x, wide.y, wide.z}) / 2;  // none is larger
+  for (int k = 0; k < kShrinks; ++k) {
+    const Signed there = at(space::plus(from, space::scaled(radius, inward)));
+    const Vector way = there.projection - from;
+    const double along = 2 * space::dot(way, inward);
+    if (there.distance >= radius * (1 - margin::kBallTouches) || !(along > 0)) break;
+    radius = std::min(radius, space::dot(way, way) / along);
+  }
+  const Vector center = space::plus(from, space::scaled(radius, inward));
+  const Signed there = at(center);
+  if (!there.certain || !(there.value < 0)) return std::nullopt;
+  return InnerBall{center, there.distance * (1 - margin::kBallShrunk)};
+}
+
+Vector SurfaceField::place(int part, const Vector& x) const {
+  if (part >= first_.back()) {
+    const auto& ball = set_.balls()[static_cast<std::size_t>(part - first_.back())];
+    const Vector center = space::plus(exact::approx(ball.center), by_), way = x - center;
+    return space::plus(center, space::scaled(ball.radius.to_double() / space::length(way), way));
+  }
+  const auto& [a, b, c] = corners_[static_cast<std::size_t>(part)];
+  using space::near::triple;
+  const auto way = space::near::nearest_of_triangle(triple(a - x), triple(b - x), triple(c - x));
+  return space::plus(x, {way[0], way[1], way[2]});
+}
+
 std::optional<std::vector<int>> SurfaceField::near(const Vector& place, double within, std::size_t most) const {
   const Vector x = place - by_;
   std::vector<int> out;
@@ -208,7 +257,10 @@ std::optional<std::vector<int>> SurfaceField::near(const Vector& place, double w
     });
     if (out.size() > most) return std::nullopt;
   }
-  for (std::size_t k = 0; k < set_.balls().size(); ++k) out.push_back(first_.back() + static_cast<int>(k));
+  for (std::size_t k = 0; k < set_.balls().size(); ++k) {
+    const int part = first_.back() + static_cast<int>(k);
+    if (distance(part, place) <= within) out.push_back(part);
+  }
   if (out.empty() || out.size() > most) return std::nullopt;
   return out;
 }

@@ -19,6 +19,12 @@
 
 namespace findspace::distance {
 
+/// Of no radius: none.
+struct InnerBall {
+  space::Vector center;
+  double radius = 0;
+};
+
 class SurfaceField {
  public:
   /// Moved by `by`. Keeps a reference.
@@ -48,6 +54,14 @@ class SurfaceField {
   double distance(int part, const space::Vector& x) const;
   /// From a place of one of them, mostly the nearest one: twice as quick.
   double distance_to_place(int part, const space::Vector& x) const;
+  std::size_t parts() const { return static_cast<std::size_t>(first_.back()) + set_.balls().size(); }
+  /// The largest ball within the set that touches one of them at its middle, more or less; the radius is surely not too
+  /// large.
+  std::optional<InnerBall> inner_ball(int part) const;
+  /// Outward, of length 1; nothing of a ball.
+  std::optional<space::Vector> normal(int part) const;
+  /// The nearest place of one of them.
+  space::Vector place(int part, const space::Vector& x) const;
   const space::SurfaceSet& set() const { return set_; }
   /// That holds the set.
   space::Extent box() const;

@@ -3,12 +3,15 @@
 //
 // How far solids protrude from a set given by its surfaces: surface_field.h, and on lines protrusion_rays.h.
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <memory>
 
 #include "distance/rays/protrusion_rays.h"
 #include "distance/search/field_boxes.h"
 #include "distance/search/tetrahedral_max_min.h"
 #include "distance/surface/surface_field.h"
+#include "distance/surface/void_places.h"
 #include "exact/margins/space_distance.h"
 #include "plane/base/search_work.h"
 
@@ -19,17 +22,48 @@ using space::Vector;
 
 /// Triangles whose distances bound a cell, at most.
 constexpr std::size_t kFewTriangles = 8;
+/// Triangles that may be nearest in a cell: more are not known by number, and fewer are not to be made fewer.
+constexpr std::size_t kLongList = 24, kShortList = 3;
+/// Of the distance: in larger cells they are many.
+constexpr double kNearShare = 0.25;
 /// Of the octree about the surface.
 constexpr int kDepth = 9;
 /// Steps of a run, each as long as the point is clear.
 constexpr int kMostSteps = 60;
 constexpr int kMostMaxMinCells = 60000;
+constexpr std::size_t kMostTangents = 256;
+
+/// Of the parts of a surface, made when they are asked for. Safe to ask from many threads.
+class InnerBalls {
+ public:
+  explicit InnerBalls(const SurfaceField& field) : field_(field), made_(field.parts()) {}
+  ~InnerBalls() {
+    for (auto& ball : made_) delete ball.load();
+  }
+  InnerBalls(const InnerBalls&) = delete;
+  InnerBalls& operator=(const InnerBalls&) = delete;
+
+  /// Null where none is known.
+  const InnerBall* of(int part) const {
+    std::atomic<const InnerBall*>& known = made_[static_cast<std::size_t>(part)];
+    const InnerBall* ball = known.load(std::memory_order_acquire);
+    if (!ball) {
+      auto made = std::make_unique<const InnerBall>(field_.inner_ball(part).value_or(InnerBall{}));
+      if (known.compare_exchange_strong(ball, made.get(), std::memory_order_acq_rel)) ball = made.release();
+    }
+    return ball->radius > 0 ? ball : nullptr;
+  }
+
+ private:
+  const SurfaceField& field_;
+  mutable std::vector<std::atomic<const InnerBall*>> made_;
+};
 
 /// A cell is bounded by a few triangles: any do.
 class SurfaceTarget : public MaxMinTarget {
  public:
-  SurfaceTarget(const SurfaceField& a, const SolidOfSurface* b, const FieldBoxes* boxes)
-      : a_(a), b_(b), boxes_(boxes) {}
+  SurfaceTarget(const SurfaceField& a, const SolidOfSurface* b, const FieldBoxes* boxes, const InnerBalls* balls)
+      : a_(a), b_(b), boxes_(boxes), balls_(balls) {}
 
   double offer_in(const Vector& x, MaxMinBest& best) const override {
     const SurfaceField::Signed here = a_.at(x);
@@ -41,16 +75,20 @@ class SurfaceTarget : public MaxMinTarget {
     double reach = 0;
     for (const Vector& v : cell.corner) reach = std::max(reach, space::length(v - middle));
     const double most = std::max(best.slack(), best.found().value);
+    if (surely_within(cell, middle, reach, most)) return false;
     if (boxes_ && reach > 4 * boxes_->least_half() && boxes_->within(cell.corner, most)) return false;
     if (cell.sets.empty()) {
       for (const Vector& v : cell.corner) cell.sets.push_back(a_.nearest(v, -exact::kInfinity, {}).part);
     }
-    const SurfaceField::Nearest near = a_.nearest(middle, most - reach, cell.sets);
+    const SurfaceField::Nearest near =
+        cell.near ? among(*cell.near, middle) : a_.nearest(middle, most - reach, cell.sets);
     if (!best.worth(near.distance + reach)) return false;
     cell.sets.push_back(near.part);
     find_columns(cell);
     if (!best.worth(cell.bound)) return false;
-    const auto inside = a_.inside(middle, near.distance);
+    find_near(cell, middle, near.distance, reach);
+    const auto inside = cell.outside ? std::optional(false) : a_.inside(middle, near.distance);
+    cell.outside = inside == std::optional(false) && near.distance > 2 * reach;
     const double value = inside.value_or(false) ? -std::fabs(near.distance) : near.distance;
     cell.bound = std::min(cell.bound, value + reach);
     if (!best.worth(cell.bound)) return false;
@@ -60,10 +98,10 @@ class SurfaceTarget : public MaxMinTarget {
   }
 
   void offer(const Vector& x, MaxMinCell& cell, MaxMinBest& best) const override {
-    const SurfaceField::Nearest near = a_.nearest(x, -exact::kInfinity, cell.sets);
+    const SurfaceField::Nearest near = cell.near ? among(*cell.near, x) : a_.nearest(x, -exact::kInfinity, cell.sets);
     cell.sets.push_back(near.part);
     if (!(near.distance > best.found().value)) return;
-    const auto inside = a_.inside(x, near.distance);
+    const auto inside = cell.outside ? std::optional(false) : a_.inside(x, near.distance);
     if (inside && !*inside) offer_near(x, cell, near.distance, best);
   }
 
@@ -77,6 +115,46 @@ class SurfaceTarget : public MaxMinTarget {
   double shortest_share() const override { return 1; }
 
  private:
+  /// By a triangle that is near to all of the cell, or by a ball within the body that touches it there.
+  bool surely_within(const MaxMinCell& cell, const Vector& middle, double reach, double most) const {
+    return std::any_of(cell.sets.begin(), cell.sets.end(), [&](int part) {
+      if (a_.distance_to_place(part, middle) <= most - reach) return true;
+      const InnerBall* const ball = balls_ ? balls_->of(part) : nullptr;
+      if (!ball) return false;
+      const double far = ball->radius + most;
+      return std::all_of(cell.corner.begin(), cell.corner.end(),
+                         [&](const Vector& v) { return space::length(v - ball->center) <= far; });
+    });
+  }
+
+  SurfaceField::Nearest among(const std::vector<int>& parts, const Vector& x) const {
+    SurfaceField::Nearest best;
+    for (const int part : parts) {
+      const double d = a_.distance(part, x);
+      if (d < best.distance) best = {d, part};
+    }
+    return best;
+  }
+
+  /// All places of the cell are within `reach` of the middle, and so nearer to the surface than the distance and that.
+  void find_near(MaxMinCell& cell, const Vector& middle, double distance, double reach) const {
+    if (cell.near && (cell.near->size() <= kShortList || cell.near_reach < 2 * reach)) return;
+    if (!cell.near && reach > kNearShare * distance) return;
+    const double within = (distance + 2 * reach) * (1 + margin::kRayNoise);
+    if (!cell.near) {
+      auto found = a_.near(middle, within, kLongList);
+      if (!found) return;
+      cell.near = std::make_shared<const std::vector<int>>(*std::move(found));
+    } else {
+      std::vector<int> some;
+      for (const int part : *cell.near) {
+        if (a_.distance(part, middle) <= within) some.push_back(part);
+      }
+      cell.near = std::make_shared<const std::vector<int>>(std::move(some));
+    }
+    cell.near_reach = reach;
+  }
+
   /// A place of the cell, if it is one of B's, or the place of a ball that is nearest to it.
   void offer_near(const Vector& x, const MaxMinCell& cell, double value, MaxMinBest& best) const {
     if (cell.round && cell.round->beyond(x) > 0)
@@ -132,11 +210,13 @@ class SurfaceTarget : public MaxMinTarget {
   const SurfaceField& a_;
   const SolidOfSurface* b_;
   const FieldBoxes* boxes_;
+  const InnerBalls* balls_;
 };
 
 class FieldOfSurfaces : public ProtrusionField {
  public:
-  explicit FieldOfSurfaces(const std::vector<space::RaySolid>& solids) : set_(made(solids)), field_(set_, {}) {
+  explicit FieldOfSurfaces(const std::vector<space::RaySolid>& solids)
+      : set_(made(solids)), field_(set_, {}), balls_(field_) {
     const space::Extent box = field_.box();
     size_ = space::length(box.high - box.low);
     boxes_ = std::make_unique<const FieldBoxes>(box.middle(), size_, kDepth,
@@ -146,15 +226,36 @@ class FieldOfSurfaces : public ProtrusionField {
   SolidMaxMin max_min(const Solids& solids, double slack, double share) const override {
     Solids some = solids;
     std::erase_if(some.cells, [&](const Tetrahedron& t) { return boxes_->within(t, slack); });
-    return tetrahedral_max_min(some, SurfaceTarget(field_, nullptr, boxes_.get()),
+    return tetrahedral_max_min(some, SurfaceTarget(field_, nullptr, boxes_.get(), &balls_),
                                MaxMinBest(std::min(0.0, slack), slack, share, 0), plane::allowed(kMostCells));
+  }
+  bool outside(const Vector& x) const override {
+    return field_.inside(x, field_.nearest(x, -exact::kInfinity, {}).distance) == std::optional(false);
+  }
+  bool within(const space::Extent& box, double most) const override { return boxes_->within(box, most); }
+  std::vector<Tangent> tangents(const Vector& x, double least, double most) const override {
+    std::vector<Tangent> out;
+    const auto near = field_.near(x, most, kMostTangents);
+    if (!near) return out;
+    for (const int part : *near) {
+      const Vector way = x - field_.place(part, x);
+      const double d = space::length(way);
+      if (least <= d && d <= most) out.push_back({d, space::scaled(1 / d, way)});
+    }
+    return out;
+  }
+  std::optional<std::vector<VoidPlace>> voids(double least, double most) const override {
+    return void_places(field_, least, most);
   }
   double run(const Vector& x, const Vector& way, double cut, double size) const override {
     double at = 0;
+    std::vector<int> likely;
     for (int count = 0; count < kMostSteps && at < 4 * size; ++count) {
       const Vector there = space::plus(x, space::scaled(at, way));
-      const double clear = field_.nearest(there, -exact::kInfinity, {}).distance - cut;
+      const SurfaceField::Nearest near = field_.nearest(there, cut, likely);
+      const double clear = near.distance - cut;
       if (!(clear > size * margin::kPlaceNoise)) break;
+      likely.assign(1, near.part);
       at += clear;
     }
     return at;
@@ -169,6 +270,7 @@ class FieldOfSurfaces : public ProtrusionField {
 
   space::SurfaceSet set_;
   SurfaceField field_;
+  InnerBalls balls_;
   double size_;
   std::unique_ptr<const FieldBoxes> boxes_;
 };
@@ -178,13 +280,13 @@ class FieldOfSurfaces : public ProtrusionField {
 SolidMaxMin surface_max_min(const Solids& solids, const SolidOfSurface* b, const SurfaceField& a) {
   double size = 0;
   for (const Vector& v : solids.corners) size = std::max(size, space::size_of(v));
-  return tetrahedral_max_min(solids, SurfaceTarget(a, b, nullptr),
+  return tetrahedral_max_min(solids, SurfaceTarget(a, b, nullptr, nullptr),
                              MaxMinBest(-exact::kInfinity, -exact::kInfinity, 0, margin::kPlaceNoise * size),
                              kMostMaxMinCells);
 }
 
-std::unique_ptr<ProtrusionField> field_of_surfaces(const std::vector<space::RaySolid>& solids) {
-  return std::make_unique<FieldOfSurfaces>(solids);
+std::shared_ptr<ProtrusionField> field_of_surfaces(const std::vector<space::RaySolid>& solids) {
+  return std::make_shared<FieldOfSurfaces>(solids);
 }
 
 }  // namespace findspace::distance

@@ -152,6 +152,13 @@ inline constexpr double kBoundsMeet = 0x1p-40;
 /// A line whose direction has so small a cosine with a normal runs along the face. Filters: the face then bounds
 /// nothing on the line, which only keeps more of it.
 inline constexpr double kAlongFace = 0x1p-40;
+/// Of unit normals: planes this near to parallel are taken for one where the end of a stretch is looked for, and what
+/// breaks a rule by less, of the step, keeps it. Searches: the place found is tested.
+inline constexpr double kEndPivot = 0x1p-20;
+/// Of the size: half of what a slope is the difference over. Searches.
+inline constexpr double kSlopeStep = 0x1p-20;
+/// Of the sizes: what the nearest step is to an end that is looked for. Searches.
+inline constexpr double kEndReach = 0x1p-27;
 /// Share of its value that a search for the nearest place has to reach where it is used to go on from. Searches: steps
 /// are shorter, and searches end earlier.
 inline constexpr double kLineShare = 0x1.8p-1;
