@@ -188,10 +188,9 @@ std::optional<std::vector<ProtrusionRays::SolidChord>> ProtrusionRays::chords_of
   Crossing touched{};
   bool within = false;
   const auto cross = [&](const Crossing& c) {
-    if (!within)
-      out.push_back({{c.at, c.at}, c.part, c.part});
-    else
-      out.back().held.to = c.at, out.back().last = c.part;
+    if (!within) out.push_back({{c.at, c.at}, c.part, c.part});
+    out.back().held.to = c.at;
+    out.back().last = c.part;
     within = !within;
   };
   for (std::size_t k = 0; k < all.size();) {
