@@ -173,7 +173,7 @@ Some cells need more words:
 
 | cells | remark |
 |---|---|
-| cut | two such shapes, or one and a complement, are refused. [distances.md](distances.md#shapes-that-round-ones-are-cut-out-of) says which shape may be the cut one |
+| cut | of two such shapes, or one in a complement, only values at a position are computed, between wide ends ([distances.md](distances.md#two-such-shapes)) |
 | complements of round shapes | as "round"; complements of cut shapes are refused |
 | `margin` below 0, round convex | exact into a shape that is as round or rounder |
 | `eta2` in a ball | of more than 40 corners or balls: enclosed 2^-36 |

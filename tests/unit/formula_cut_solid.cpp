@@ -100,6 +100,36 @@ std::optional<distance::Answer> drawn(findspace::formula::Kind kind, const plane
   return SpaceSolver(all).value(named(kind), space::place(0, 0, 0));
 }
 
+/// Bodies within one of them and about it tell the ends.
+TEST(CutSolid, HasValuesBesideAnotherOneOrInAComplementBetweenEnds) {
+  using K = findspace::formula::Kind;
+  const auto holds = [](const std::optional<distance::Answer>& v, const Real& truth, double width) {
+    ASSERT_TRUE(v);
+    const distance::Enclosure ends = v->bounds();
+    ASSERT_TRUE(ends.lower && ends.upper);
+    EXPECT_LE(*ends.lower, truth);
+    EXPECT_LE(truth, *ends.upper);
+    EXPECT_LT(ends.width(), width);
+  };
+  const auto dented = space::node(Kind::kDifference, {block({-8, -8, -48}, {8, 8, -32}), space::ball({8, 8, -32}, 3)});
+  EXPECT_TRUE(drawn(K::kGamma1, dented, bowl())->proven);
+  EXPECT_EQ(drawn(K::kGamma1, dented, bowl())->value, Real(12));
+  const auto cup = space::node(Kind::kDifference, {space::ball({0, 0, 30}, 6), space::ball({0, 0, 33}, 5)});
+  holds(drawn(K::kGamma1, cup, bowl()), sqrt(Real(325)) - Real(6), 4);
+  holds(drawn(K::kGamma1, bowl(), cup), sqrt(Real(325)) - Real(6), 4);
+  const auto shell = space::node(Kind::kDifference, {space::ball({0, 0, -5}, 4), space::ball({0, 0, -5}, 3)});
+  holds(drawn(K::kGamma2, shell, bowl()), sqrt(Real(1425)) + Real(4), 8);
+  holds(drawn(K::kEta1, shell, bowl()), Real(-6), 6);
+  holds(drawn(K::kDelta1, bowl(), shell), Real(-6), 6);
+  EXPECT_FALSE(drawn(K::kDelta1, shell, bowl()));
+  const auto outside = space::node(Kind::kComplement, {cube(20)});
+  holds(drawn(K::kGamma1, shell, outside), Real(11), 6);
+  EXPECT_FALSE(drawn(K::kGamma2, shell, outside));
+  SpaceWorld all = world("B");
+  all.shapes["B"] = space_shape(*shell);
+  EXPECT_THROW(SpaceSolver(all).nearly_least(named(K::kGamma1)), Error);
+}
+
 /// What is taken away is closed: no wall stays where its parts touch, nor where it is flush with what it is taken from.
 TEST(CutSolid, KeepsNoWalls) {
   using K = findspace::formula::Kind;

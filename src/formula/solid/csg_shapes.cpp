@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "distance/csg/csg_between.h"
 #include "distance/csg/csg_pair.h"
 #include "space/body/cell_parts.h"
 
@@ -48,6 +49,32 @@ CsgShapes csg_shapes(std::span<const SpaceShape> moving, std::span<const SpaceSh
 
 std::shared_ptr<const distance::CsgSide> CsgShapes::side() const {
   return cut ? std::make_shared<const distance::CsgSide>(complete, cut) : nullptr;
+}
+
+std::optional<CutBetween> cut_between(std::span<const SpaceShape> moving, std::span<const SpaceShape> fixed) {
+  using Solid = std::shared_ptr<const space::CsgSolid>;
+  using BodyPointer = std::shared_ptr<const space::Body>;
+  if (!any_cut(moving) || !std::all_of(moving.begin(), moving.end(), bounded)) return std::nullopt;
+  const space::CsgSolid solid = cut_of(moving);
+  const auto at = [](const space::CsgSolid& one, std::int64_t scale) {
+    return std::make_shared<const space::CsgSolid>(at_scale(one, scale));
+  };
+  if (any_cut(fixed) && std::all_of(fixed.begin(), fixed.end(), bounded)) {
+    const space::CsgSolid other = cut_of(fixed);
+    const std::int64_t scale = space::joint_scale(solid.scale, other.scale);
+    const Solid b = at(solid, scale), a = at(other, scale);
+    const auto beside = [](Solid of) {
+      return [of = std::move(of)](BodyPointer body) {
+        return distance::csg_pair(std::make_shared<const distance::CsgSide>(std::move(body), of), false);
+      };
+    };
+    return CutBetween{distance::pair_between({{b, beside(a), true}, {a, beside(b), false}}), scale};
+  }
+  if (fixed.size() != 1 || !fixed[0].body || !fixed[0].body->outside) return std::nullopt;
+  const std::int64_t scale = space::joint_scale(solid.scale, fixed[0].body->scale);
+  const BodyPointer a = std::make_shared<const space::Body>(at_scale(*fixed[0].body, scale));
+  const auto beside = [a](BodyPointer body) { return distance::solid_pair(std::move(body), a); };
+  return CutBetween{distance::pair_between({{at(solid, scale), beside, true}}), scale};
 }
 
 std::unique_ptr<space::RaySource> csg_map(distance::Which which, const exact::Real& level, const CsgShapes& shapes,

@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Pairs of shapes of which one has no body, as balls are cut out of it (distance/csg/csg_pair.h); several shapes of one
-// side count as their union. Lengths in steps of the scale. Guarantee: as there. Keywords: bowl, dome, lens.
+// side count as their union. Where both are such, values lie between bounds (csg_between.h). Lengths in steps of the
+// scale. Guarantee: as there. Keywords: bowl, dome, lens.
 #pragma once
 
 #include <cstdint>
@@ -27,6 +28,15 @@ struct CsgShapes {
   std::shared_ptr<const distance::CsgSide> side() const;
 };
 CsgShapes csg_shapes(std::span<const SpaceShape> moving, std::span<const SpaceShape> fixed);
+
+/// Of shapes that are cut on both sides, or cut ones that move and a complement; nothing of others. Lengths in steps /
+/// scale.
+struct CutBetween {
+  distance::PairDistances pair;
+  std::int64_t scale;
+};
+std::optional<CutBetween> cut_between(std::span<const SpaceShape> moving, std::span<const SpaceShape> fixed);
+
 /// Their map on lines, perhaps of the distance along a direction (null where that is not computed); the level in steps
 /// of the scale.
 std::unique_ptr<space::RaySource> csg_map(distance::Which which, const exact::Real& level, const CsgShapes& shapes,

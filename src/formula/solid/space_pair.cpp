@@ -75,7 +75,12 @@ SpacePair::SpacePair(const std::vector<const SpaceShape*>& moving, const std::ve
   cut_side_ = cut.side();
   cut_moves_ = cut.cut_moves;
   cut_scale_ = cut.scale;
-  if (cut_side_) cut_ = csg_pair(cut_side_, cut_moves_);
+  if (cut_side_) {
+    cut_ = csg_pair(cut_side_, cut_moves_);
+  } else if (auto between = cut_between(moving_, fixed_)) {
+    cut_ = std::move(between->pair);
+    cut_scale_ = between->scale;
+  }
   const auto large = [](const SpaceShape& s) { return s.surfaces != nullptr; };
   if (std::any_of(moving_.begin(), moving_.end(), large) || std::any_of(fixed_.begin(), fixed_.end(), large))
     make_surfaces();
@@ -86,6 +91,12 @@ SpacePair::SpacePair(const std::vector<const SpaceShape*>& moving, const std::ve
 std::unique_ptr<const SpacePair::Bodies> SpacePair::made_bodies() const {
   auto out = std::make_unique<Bodies>();
   const auto b = united_bodies(moving_, moving_boxes_), a = united_bodies(fixed_, fixed_boxes_);
+  if (cut_ && !cut_side_) {
+    out->refused = Refusal(
+        "of two shapes that round ones are cut out of, or one and a complement, only values at a position are "
+        "computed");
+    return out;
+  }
   if (!b || !a) {
     out->refused = (a ? b : a).refusal();
     return out;
