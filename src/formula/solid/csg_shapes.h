@@ -35,6 +35,8 @@ struct CutBetween {
   distance::PairDistances pair;
   std::int64_t scale;
 };
+inline constexpr const char* kOnlyValuesOfTwoCut =
+    "of two shapes that round ones are cut out of, or one and a complement, only values at a position are computed";
 std::optional<CutBetween> cut_between(std::span<const SpaceShape> moving, std::span<const SpaceShape> fixed);
 
 /// Their map on lines, perhaps of the distance along a direction (null where that is not computed); the level in steps

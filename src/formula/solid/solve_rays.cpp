@@ -119,6 +119,7 @@ Tried<space::RaySourcePointer> by_cut(const RayWorld& world, const SignMap& map,
   const Tried<std::vector<SpaceShape>> a = forms(second ? d.first : d.second);
   if (!a) return a.refusal();
   const CsgShapes shapes = csg_shapes(*b, *a);
+  if (!shapes.cut && cut_between(*b, *a)) return no_map(map, kOnlyValuesOfTwoCut);
   if (!shapes.cut) return nullptr;
   const Real level = map.level / world.step * Real(shapes.scale);
   std::optional<distance::AlongWay> way;

@@ -142,6 +142,19 @@ bool cut_short(const distance::Enclosure& ends) {
   return ends.width() > kFar * std::max(std::fabs(ends.lower->to_double()), std::fabs(ends.upper->to_double()));
 }
 
+/// Why a level is on no side of a value that is not exact.
+std::string between_ends(const PreparedSpace& prepared, const Distance& wanted, const Answer& v) {
+  const distance::Enclosure ends = (negated(wanted) ? minus(v) : v).bounds();
+  const auto number = [&](const Real& x) { return fmt::format("{:.9g}", (x * prepared.world.step).to_double()); };
+  std::string known;
+  if (ends.lower && !ends.upper) known = "at least " + number(*ends.lower);
+  if (!ends.lower && ends.upper) known = "at most " + number(*ends.upper);
+  if (ends.lower && ends.upper && number(*ends.lower) != number(*ends.upper))
+    known = "from " + number(*ends.lower) + " to " + number(*ends.upper);
+  if (known.empty()) return "the value, found by search, is too near the level to tell on which side of it it lies";
+  return "the value is known to be " + known + ", which does not tell on which side of the level it lies";
+}
+
 /// The sign of a distance minus its level, given its value.
 Tried<int> sign(const PreparedSpace& prepared, const SignMap& wanted, const std::optional<Answer>& v) {
   if (!v) return 1;
@@ -151,8 +164,8 @@ Tried<int> sign(const PreparedSpace& prepared, const SignMap& wanted, const std:
   const distance::Enclosure ends = v->bounds();
   if (ends.lower && level < *ends.lower) return 1;
   if (ends.upper && *ends.upper < level) return -1;
-  std::string why = "the value, found by search, is too near the level to tell on which side of it it lies";
-  if (cut_short(ends)) why += "; --work-limit allows a longer search";
+  std::string why = between_ends(prepared, wanted.distance, *v);
+  if (cut_short(ends)) why += "; a longer search, which --work-limit allows, may tell";
   return refused(wanted.distance, why);
 }
 

@@ -92,9 +92,7 @@ std::unique_ptr<const SpacePair::Bodies> SpacePair::made_bodies() const {
   auto out = std::make_unique<Bodies>();
   const auto b = united_bodies(moving_, moving_boxes_), a = united_bodies(fixed_, fixed_boxes_);
   if (cut_ && !cut_side_) {
-    out->refused = Refusal(
-        "of two shapes that round ones are cut out of, or one and a complement, only values at a position are "
-        "computed");
+    out->refused = Refusal(kOnlyValuesOfTwoCut);
     return out;
   }
   if (!b || !a) {
