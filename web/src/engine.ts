@@ -25,7 +25,7 @@ export interface RegionMap {
   intervals?: Interval[]; on_lines?: string;
 }
 export interface Interval { from: number | null; to: number | null; from_in: boolean; to_in: boolean }
-export interface Atom { text: string; value: number | string | null; true: boolean; lacks?: number; witness: { points?: Place[] } }
+export interface Atom { text: string; value: number | string | null; exact?: boolean; lower?: number | string | null; upper?: number | string | null; true: boolean; lacks?: number; witness: { points?: Place[] } }
 export interface Nearest { at: Place; distance: number; attained: boolean }
 export interface Check { at: Place; true: boolean; atoms: Atom[]; nearest_feasible?: Nearest }
 export interface Change { text: string; to: number | string | null; by?: number; reached?: boolean; becomes?: string; at?: Place; angle?: number; time?: number; free?: boolean; refused?: string; proven?: boolean; lower?: number; upper?: number }

@@ -19,6 +19,13 @@ export const withUnit = (value: number, unit: string): string => (unit ? `${show
 const valueText = (value: number | string | null, unit: string): string =>
   value === null ? "undefined" : typeof value === "number" ? withUnit(value, unit) : value === "-inf" ? "−∞" : value;
 
+/// What a value lies between, where its digits do not say it.
+const endsText = (a: Atom): string => {
+  if (a.exact !== false) return "";
+  const [low, high] = [a.lower, a.upper].map((end) => (typeof end === "number" ? shown(end) : ""));
+  return low === high ? "" : !high ? ` (at least ${low})` : !low ? ` (at most ${high})` : ` (from ${low} to ${high})`;
+};
+
 /// `picked`: the condition whose own set is shown.
 export function showAtoms(list: Element, atoms: Atom[], unit: string, picked: string, pick: (text: string) => void): void {
   const focused = [...list.querySelectorAll("button")].indexOf(document.activeElement as HTMLButtonElement);
@@ -30,7 +37,7 @@ export function showAtoms(list: Element, atoms: Atom[], unit: string, picked: st
     button.title = "Show the set of this condition alone";
     button.ariaPressed = String(a.text === picked);
     button.onclick = () => pick(a.text === picked ? "" : a.text);
-    make("span", row, valueText(a.value, unit));
+    make("span", row, valueText(a.value, unit) + endsText(a));
     if (!a.true) make("small", row, a.lacks === undefined ? "does not hold" : `off by ${withUnit(a.lacks, unit)}`);
   }
   if (focused >= 0) list.querySelectorAll("button")[focused]?.focus();
