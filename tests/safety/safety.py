@@ -271,6 +271,12 @@ class Costs(SafetyTest):
         self.scene(shapes)
         self.refused("describe", "scene.json", "S24")
 
+    @unittest.skipIf(SANITIZED, "measures memory")
+    def test_many_values(self):
+        self.file("scene.json", '{"findspace": 1, "shapes": {"A": {"points": [%s[1,2]]}}}' % ("[1,2]," * 7000000))
+        result = self.expect(4, "so many values costs more", "map", "scene.json")
+        self.assertLess(result.kilobytes, 200 << 10)
+
     def test_offsets_of_boundaries(self):
         shape = {"polygon": [[0, 0], [5, 0], [5, 1], [1, 1], [1, 4], [0, 4]]}
         for _ in range(60):

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,23 @@ TEST(JsonTree, HoldsValuesWithTheirPlaces) {
   EXPECT_TRUE(root.find("c")->is(Kind::kString) && root.find("c")->text().empty());
   EXPECT_EQ(root.find("d"), nullptr);
   EXPECT_TRUE(list.text().empty() && list.keys().empty() && root.find("b")->items().empty());
+}
+
+TEST(JsonTree, CountsValuesBeforeItReadsThem) {
+  const auto code = [](std::string_view text) -> std::optional<ErrorCode> {
+    plane::WorkBudget work(8 * kJsonValue);
+    try {
+      parse_json(text, "n", work);
+    } catch (const Error& e) {
+      return e.code();
+    }
+    return std::nullopt;
+  };
+  EXPECT_EQ(code("[1, [], {}, {\"a\": \",,,,,,,,\\\",\"}, [2] /* ,,,,,,,, */ ] // ,,,,,,,,\n"), std::nullopt);
+  EXPECT_EQ(code("[0, 1, 2, 3, 4, 5, 6]"), std::nullopt);
+  EXPECT_EQ(code("[0, 1, 2, 3, 4, 5, 6, 7]"), ErrorCode::kLimit);
+  EXPECT_EQ(code("[x, 1, 2, 3, 4, 5, 6, 7]"), ErrorCode::kLimit);
+  EXPECT_EQ(code("[x, 1, 2, 3, 4, 5, 6]"), ErrorCode::kSyntax);
 }
 
 TEST(JsonTree, ReadsTexts) {

@@ -18,7 +18,7 @@ namespace findspace::io {
 namespace {
 
 constexpr std::size_t kMaxDepth = 200;
-constexpr std::string_view kNotJson = "this is not JSON: ";
+constexpr std::string_view kNotJson = "this is not JSON: ", kManyValues = "a JSON text of so many values";
 
 /// Byte offsets to lines and columns, for offsets that only grow.
 class LineCounter {
@@ -172,6 +172,63 @@ class TokenStream {
   std::size_t end_ = 0;  // of the last token
 };
 
+/// How many values a text of JSON has, counted without reading them, until they are more than `most`. Of what is not
+/// JSON it says nothing.
+class ValueCount {
+ public:
+  explicit ValueCount(std::string_view text) : text_(text) {}
+
+  std::uint64_t count(std::uint64_t most) {
+    for (; at_ < text_.size() && count_ <= most; ++at_) pass(text_[at_]);
+    return count_;
+  }
+
+ private:
+  /// A separator stands before each value but the first of a list, which counts with its bracket if there is one.
+  void pass(char c) {
+    switch (c) {
+      case '"':
+        pass_text();
+        break;
+      case '/':
+        pass_comment();
+        return;
+      case ',':
+      case '[':
+      case '{':
+        ++count_;
+        break;
+      case ']':
+      case '}':
+        count_ -= opened_ ? 1 : 0;
+        break;
+      case ' ':
+      case '\t':
+      case '\r':
+      case '\n':
+        return;
+      default:
+        break;
+    }
+    opened_ = c == '[' || c == '{';
+  }
+
+  void pass_text() {
+    for (++at_; at_ < text_.size() && text_[at_] != '"'; ++at_) at_ += text_[at_] == '\\' ? 1 : 0;
+  }
+
+  void pass_comment() {
+    const bool line = text_.substr(at_, 2) == "//";
+    const std::size_t end = line ? text_.find('\n', at_) : text_.find("*/", at_ + 2);
+    at_ = end == std::string_view::npos ? text_.size() : end + (line ? 0 : 1);
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::uint64_t count_ = 1;
+  bool opened_ = false;  // the last sign opens a list or an object
+};
+
 /// Takes the reader's events; the numbers it computes are not used. Values wait until the end of what holds them.
 class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeBuilder> {
  public:
@@ -259,7 +316,7 @@ class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeB
   }
 
   Place begin() {
-    work_.charge(kJsonValue, "a JSON text of so many values");
+    work_.charge(kJsonValue, kManyValues);
     start_ = tokens_.token_start();
     Place place;
     tokens_.place(start_, place.line, place.column);
@@ -309,11 +366,20 @@ bool is_wide(std::string_view text) {
   return text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff") || text.substr(0, 4).find('\0') < 4;
 }
 
+/// Refuses a text of too many values before a tree of many is made. A value takes two bytes at least.
+void charge_many(std::string_view text, plane::WorkBudget& work) {
+  const std::uint64_t most = work.left() / kJsonValue;
+  if (text.size() / 2 <= most) return;
+  const std::uint64_t count = ValueCount(text).count(most);
+  if (count > most) work.charge(count * kJsonValue, kManyValues);
+}
+
 }  // namespace
 
 JsonTree parse_json(std::string_view text, const std::string& name, plane::WorkBudget& work) {
   if (is_wide(text)) throw Error(ErrorCode::kSyntax, "this is not JSON in UTF-8 but looks like UTF-16 or UTF-32", name);
   try {
+    charge_many(text, work);
     return TreeBuilder(text, name, work).run();
   } catch (const Error& e) {
     throw e.place().empty() ? e.within(name) : e;
