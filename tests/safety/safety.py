@@ -271,6 +271,22 @@ class Costs(SafetyTest):
         self.scene(shapes)
         self.refused("describe", "scene.json", "S24")
 
+    def test_unions_of_unions(self):
+        shapes = {"S0": {"polygon": [[0, 0], [5, 0], [5, 1], [1, 1], [1, 4], [0, 4]]}}
+        for i in range(24):
+            below = "S%d" % i
+            shapes["S%d" % (i + 1)] = {"union": [below, {"translate": [6 << i, 0], "of": below}]}
+        self.scene(shapes)
+        self.refused("describe", "scene.json", "S24")
+
+    def test_unions_of_unions_in_space(self):
+        shapes = {"S0": {"box": {"min": [0, 0, 0], "max": [1, 1, 1]}}}
+        for i in range(24):
+            below = "S%d" % i
+            shapes["S%d" % (i + 1)] = {"union": [below, {"translate": [6 << i, 0, 0], "of": below}]}
+        self.scene(shapes)
+        self.refused("describe", "scene.json", "S24")
+
     @unittest.skipIf(SANITIZED, "measures memory")
     def test_many_values(self):
         self.file("scene.json", '{"findspace": 1, "shapes": {"A": {"points": [%s[1,2]]}}}' % ("[1,2]," * 7000000))

@@ -60,7 +60,7 @@ const KnownKind* kind_of(const JsonValue& object) {
 ShapePtr share(Shape shape) { return std::make_shared<const Shape>(std::move(shape)); }
 
 ShapeReader::ShapeReader(const SceneReader& json, const JsonValue& shapes)
-    : json_(json), pairs_(json.context().options.work_limit) {
+    : json_(json), parts_work_(json.context().options.work_limit) {
   json_.expect(shapes, JsonValue::Kind::kObject, "\"shapes\"", {});
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     const std::string_view name = shapes.keys()[i];
@@ -114,6 +114,7 @@ ShapePtr ShapeReader::shape(const JsonValue& value, const Label& label) {
   switch (value.kind) {
     case JsonValue::Kind::kString:
       made = named(value.text(), value, label);
+      json_.placed(label, value, [&] { charge_copy(*made); });
       break;
     case JsonValue::Kind::kArray:
       made = list(value, label);
@@ -159,13 +160,23 @@ double ShapeReader::parts_of(const Shape& shape) {
   return parts_[&shape] = shape.kind == Shape::Kind::kHull ? 1 : parts;
 }
 
+void ShapeReader::charge_copy(const Shape& named) {
+  constexpr double kCopied = 150;
+  if (dimension() != 3 || operands_.insert(&named).second) return;
+  charge(kCopied * parts_of(named), "a shape of so many copied parts");
+}
+
 void ShapeReader::charge_pairs(const Shape& sum) {
-  constexpr double kPair = 200, kFarTooMuch = 1e18;
+  constexpr double kPair = 200;
   if (dimension() != 3) return;
   const double a = parts_of(*sum.children[0]), b = parts_of(*sum.children[1]);
-  const double units = kPair * (a * b - std::max(a, b));
-  pairs_.charge(units < kFarTooMuch ? static_cast<std::uint64_t>(units) : std::numeric_limits<std::uint64_t>::max(),
-                "a Minkowski sum or difference of so many parts");
+  charge(kPair * (a * b - std::max(a, b)), "a Minkowski sum or difference of so many parts");
+}
+
+void ShapeReader::charge(double units, std::string_view what) {
+  constexpr double kFarTooMuch = 1e18;
+  parts_work_.charge(
+      units < kFarTooMuch ? static_cast<std::uint64_t>(units) : std::numeric_limits<std::uint64_t>::max(), what);
 }
 
 namespace {

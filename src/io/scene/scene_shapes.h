@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "io/text/scene_reader.h"
@@ -75,12 +76,16 @@ class ShapeReader {
   [[noreturn]] void fail_too_deep(const JsonValue& at, const Label& label) const;
   [[noreturn]] void fail_cycle(std::string_view name, const JsonValue& at, const Label& label) const;
 
+  /// In 3D: charges for the parts of a shape that is an operand by its name, and was before.
+  void charge_copy(const plane::Shape& named);
+  void charge(double units, std::string_view what);
   /// Convex parts that a shape may have, were each of its solids one.
   double parts_of(const plane::Shape& shape);
 
   const SceneReader& json_;
-  plane::WorkBudget pairs_;  // of parts of sums
+  plane::WorkBudget parts_work_;  // for parts of sums and of copies
   std::unordered_map<const plane::Shape*, double> parts_;
+  std::unordered_set<const plane::Shape*> operands_;  // by their names
   std::vector<std::string> names_;
   std::map<std::string, Entry, std::less<>> entries_;
   std::vector<std::string> trail_;  // names being built, outermost first

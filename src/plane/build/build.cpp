@@ -41,7 +41,7 @@ bool is_boolean(Kind kind) {
 constexpr std::size_t kOperands = 32;
 
 /// Units of work (plane/base/work_budget.h).
-constexpr std::uint64_t kCell = 20, kPair = 20;
+constexpr std::uint64_t kCell = 20, kPair = 20, kCopied = 8;
 
 /// Bits of a sign about a sum for a unit of work. Few signs need as many as they may.
 constexpr double kBitsOfSign = 128;
@@ -130,7 +130,14 @@ class Builder {
     if (auto known = built_.find(&shape); known != built_.end()) return known->second;
     auto made = std::make_shared<const Region>(make(shape));
     if (is_construction(shape.kind)) work_.charge(kCell * made->edges.size(), "a construction of so many edges");
+    if (has_copy(shape)) work_.charge(kCopied * made->edges.size(), "a shape of so many copied edges");
     return built_[&shape] = std::move(made);
+  }
+
+  /// Whether a child stands elsewhere as well: a few names of shapes can stand for very many edges.
+  bool has_copy(const Shape& shape) const {
+    return std::any_of(shape.children.begin(), shape.children.end(),
+                       [&](const ShapePtr& child) { return !occurs_once(*child); });
   }
 
   /// The operands of the shape, those of a union within a union (or intersections) in place of it, if it occurs once.
