@@ -27,6 +27,19 @@ Real exact_y_at(const Geometry& g, const Piece& p, Index point) {
 
 constexpr std::size_t kManyToMeet = 2000;  // from here on strips of the grid are looked at at once
 
+bool certainly_inside(const Geometry& g, Index point, const exact::SupportingCurve& circle) {
+  const exact::Point& p = g.points[point];
+  const exact::Approx dx = exact::Approx{p.x, p.error} - circle.x(), dy = exact::Approx{p.y, p.error} - circle.y();
+  return (dx * dx + dy * dy - circle.z() * circle.z()).sign() < 0;
+}
+
+/// A segment with both ends inside the circle of an arc: they do not meet. Of nested outlines most are such.
+bool is_chord_inside(const Geometry& g, const Piece& segment, const Piece& arc) {
+  if (segment.half != 0 || arc.half == 0) return false;
+  const exact::SupportingCurve& circle = g.supporting_curves[arc.supporting_curve];
+  return certainly_inside(g, segment.p0, circle) && certainly_inside(g, segment.p1, circle);
+}
+
 /// The things that are used (not 0), numbered in their order.
 std::vector<Index> numbered(std::vector<Index>& used) {
   std::vector<Index> all;
@@ -304,6 +317,7 @@ void PieceMeetings::meet_at(Index i, Index j, Index point) {
 
 void PieceMeetings::curves(Index i, Index j) {
   const Piece &p = pieces_[i], &q = pieces_[j];
+  if (is_chord_inside(g_, p, q) || is_chord_inside(g_, q, p)) return;
   Index shared = shared_end(p, q);
   if (shared != kNone) {
     bool smooth_p = shared == p.p0 ? p.smooth0 : p.smooth1, smooth_q = shared == q.p0 ? q.smooth0 : q.smooth1;
