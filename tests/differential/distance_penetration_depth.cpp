@@ -9,10 +9,13 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <string>
+#include <string_view>
 
 #include "distance/planar/at_position.h"
 #include "distance/planar/farthest.h"
 #include "distance/planar/penetration_depth.h"
+#include "plane/base/stage_observer.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
 #include "plane/query/topology.h"
@@ -197,6 +200,42 @@ TEST(PenetrationDepth, AtAPositionOfRoundedShapes) {
   EXPECT_FALSE(pair->has(Which::kGamma1)) << "the map was made";
   ASSERT_TRUE(m && m->nearest && m->witness.size() == 2);
   EXPECT_EQ(m->value, pair->distance(Which::kGamma1)->value(p)->value);
+}
+
+/// Teeth of a height, with gaps as wide as they are, on a base below y = 0.
+Region comb(int teeth, std::int64_t tooth, std::int64_t height, std::int64_t base) {
+  const std::int64_t width = 2 * teeth * tooth;
+  std::vector<GridPoint> points{{0, -base}, {width, -base}, {width, 0}};
+  for (int k = teeth; k-- > 0;) {
+    const std::int64_t x = 2 * k * tooth;
+    points.insert(points.end(), {{x + tooth, 0}, {x + tooth, height}, {x, height}, {x, 0}});
+  }
+  points.pop_back();
+  return ring(points);
+}
+
+/// How many boxes the last search looked at.
+class Boxes : public plane::StageObserver {
+ public:
+  unsigned long count = 0;
+  void cells(std::string_view, const std::string&, const plane::CellComplex&) override {}
+  void drawing(std::string_view, const std::string& title, const plane::StageDrawing&) override {
+    count = std::stoul(title.substr(title.find(": ") + 2));
+  }
+};
+
+/// Nowhere does the small comb fit into the large one: as high as the teeth are, boxes can be, but no wider than a gap.
+TEST(PenetrationDepth, CombsNeedFewBoxes) {
+  const Region large = comb(200, 500'000, 60'000'000, 10'000'000), small = comb(200, 150'000, 18'000'000, 3'000'000);
+  const FeatureTree fixed(large), moving(small);
+  const auto way = PenetrationDepth::make(moving, fixed, PenetrationDepth::Of::kContainment);
+  ASSERT_TRUE(way);
+  Boxes boxes;
+  const plane::ObserveStages seen(&boxes);
+  const auto answer = way->nearest({20'000'000, -3'000'000});
+  EXPECT_TRUE(answer.known && !answer.nearest);
+  EXPECT_GT(boxes.count, 0u);
+  EXPECT_LT(boxes.count, 12'000u);
 }
 
 }  // namespace distance_penetration_depth

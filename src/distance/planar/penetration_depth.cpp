@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 
-#include "distance/planar_features/feature_pair_search.h"
 #include "exact/margins/planar_distance.h"
 #include "plane/base/subdivide.h"
 #include "plane/query/topology.h"
@@ -21,13 +20,14 @@ using plane::Nearest;
 
 namespace {
 
-constexpr std::size_t kFewCurves = 100;        // arranged at once
-constexpr std::size_t kManyCurves = 20000;     // not counted further
-constexpr std::int64_t kSmallest = 4;          // of a box, in grid steps
-constexpr std::size_t kCornersTried = 32;      // of each shape
-constexpr int kVainHalvings = 2;               // that leave nearly all curves in both halves: they run along each other
-constexpr std::size_t kCurvesOfMap = 10000;    // a map of fewer is cheap
-constexpr std::size_t kCurvesOfArcMap = 2000;  // with arcs, or where one shape could go round a hole of the other
+constexpr std::size_t kFewCurves = 100;     // arranged at once
+constexpr std::size_t kManyCurves = 20000;  // not counted further
+constexpr std::int64_t kSmallest = 4;       // of a box, in grid steps
+constexpr std::size_t kCornersTried = 32;   // of each shape
+constexpr int kVainHalvings = 2;            // that leave nearly all curves in both halves: they run along each other
+constexpr std::size_t kFewLooks = 200, kTimesUsualLooks = 4;
+constexpr std::size_t kCurvesOfMap = 10000;      // a map of fewer is cheap
+constexpr std::size_t kCurvesOfArcMap = 2000;    // with arcs, or where one shape could go round a hole of the other
 constexpr std::size_t kCurvesCounted = 500'000;  // a map of so many is not made
 constexpr std::size_t kPairsOfMap = 5000;        // of edges: there are no more curves
 // What a map costs, in boxes: the square of the number of curves, in these.
@@ -111,10 +111,12 @@ struct Box {
   }
 };
 
-/// Halves across the longer side.
-std::array<GridBox, 2> halves(const GridBox& w) {
+bool is_wide(const GridBox& w) { return w.x1 - w.x0 >= w.y1 - w.y0; }
+
+/// Left and right halves, or lower and upper ones.
+std::array<GridBox, 2> halves(const GridBox& w, bool across_x) {
   std::array<GridBox, 2> out{w, w};
-  if (w.x1 - w.x0 >= w.y1 - w.y0)
+  if (across_x)
     out[0].x1 = out[1].x0 = w.x0 + (w.x1 - w.x0) / 2;
   else
     out[0].y1 = out[1].y0 = w.y0 + (w.y1 - w.y0) / 2;
@@ -143,12 +145,20 @@ bool has_vertex_deep(const FeatureTree& of, const FeatureTree& in, double dx, do
   });
 }
 
+bool is_near(const FeatureTree& boundary, double x, double y, double reach) {
+  bool near = false;
+  boundary.for_near(x, y, reach, [&](plane::Index) { return !(near = true); });
+  return near;
+}
+
 /// The same of some corners among all, always the same ones. Steps are odd: teeth repeat by even numbers.
 bool has_corner_deep(const FeatureTree& of, const FeatureTree& in, double dx, double dy, double margin, bool inside) {
   const auto all = of.features();
   const std::size_t step = (all.size() / kCornersTried) | 1;
   for (std::size_t k = 0; k < all.size(); k += step) {
-    const auto depth = depth_in(in, all[k].x0 + dx, all[k].y0 + dy);
+    const double x = all[k].x0 + dx, y = all[k].y0 + dy;
+    if (is_near(in, x, y, margin)) continue;
+    const auto depth = depth_in(in, x, y);
     if (depth && (inside ? *depth : -*depth) > margin) return true;
   }
   return false;
@@ -201,7 +211,29 @@ bool PenetrationDepth::sticks_out(double x, double y, const Moves& by) const {
   return std::max(a.x0 - (b.x0 + x), b.x1 + x - a.x1) > by.x || std::max(a.y0 - (b.y0 + y), b.y1 + y - a.y1) > by.y;
 }
 
-bool PenetrationDepth::certainly_holds(double x, double y, const Moves& by) const {
+std::size_t PenetrationDepth::Patience::usual() const {
+  return found_ == 0 ? kFewLooks : std::max(kFewLooks, kTimesUsualLooks * looks_of_found_ / found_);
+}
+
+void PenetrationDepth::Patience::ended(const CutSearch& search) {
+  if (search.found) {
+    ++found_;
+    looks_of_found_ += search.looks;
+  } else if (search.cut) {
+    looks_of_cut_ += search.looks;
+  } else if (search.looks > usual()) {
+    looks_of_whole_ = search.looks;
+    looks_of_cut_ = 0;
+  }
+}
+
+bool PenetrationDepth::edges_cross(double x, double y, const Moves& by, Patience& patience) const {
+  const CutSearch search = certainly_cross(fixed_, moving_, x, y, by, patience.most());
+  patience.ended(search);
+  return search.found;
+}
+
+bool PenetrationDepth::certainly_holds(double x, double y, const Moves& by, Patience& patience) const {
   const double slack = (moving_.scale() + fixed_.scale() + std::abs(x) + std::abs(y)) * margin::kDepthTolerance;
   const double margin = std::hypot(by.x, by.y) + slack;
   const Moves moves{by.x + slack, by.y + slack};
@@ -213,7 +245,7 @@ bool PenetrationDepth::certainly_holds(double x, double y, const Moves& by) cons
   return sticks_out(x, y, moves) || meets(moving_disc_, fixed_, x, y, contact) ||
          (contact && meets(fixed_disc_, moving_, -x, -y, true)) ||
          has_corner_deep(moving_, fixed_, x, y, margin, contact) ||
-         has_corner_deep(fixed_, moving_, -x, -y, margin, true) || certainly_cross(fixed_, moving_, x, y, moves) ||
+         has_corner_deep(fixed_, moving_, -x, -y, margin, true) || edges_cross(x, y, moves, patience) ||
          has_vertex_deep(moving_, fixed_, x, y, margin, contact) ||
          has_vertex_deep(fixed_, moving_, -x, -y, margin, true);
 }
@@ -232,9 +264,16 @@ bool PenetrationDepth::certainly_free(double x, double y, double margin) const {
   return lie(moving_, fixed_, x, y, of_ == Of::kContainment) && lie(fixed_, moving_, -x, -y, false);
 }
 
-bool PenetrationDepth::certainly_holds(const GridBox& w) const {
+bool PenetrationDepth::certainly_holds(const GridBox& w, Patience& patience) const {
   return certainly_holds((double(w.x0) + double(w.x1)) / 2, (double(w.y0) + double(w.y1)) / 2,
-                         {double(w.x1 - w.x0) / 2, double(w.y1 - w.y0) / 2});
+                         {double(w.x1 - w.x0) / 2, double(w.y1 - w.y0) / 2}, patience);
+}
+
+bool PenetrationDepth::halves_across_x(const GridBox& w, Patience& patience) const {
+  const double x = (double(w.x0) + double(w.x1)) / 2, y = (double(w.y0) + double(w.y1)) / 2;
+  const bool row = certainly_holds(x, y, {double(w.x1 - w.x0) / 2, 0}, patience);
+  const bool column = certainly_holds(x, y, {0, double(w.y1 - w.y0) / 2}, patience);
+  return row == column ? is_wide(w) : column;
 }
 
 PenetrationDepth::Found PenetrationDepth::search(const RealPoint& p, bool far) const {
@@ -247,9 +286,10 @@ template <class Boundary>
 PenetrationDepth::Found PenetrationDepth::search(const Boundary& boundary, const std::optional<GridBox>& bounds,
                                                  const RealPoint& p, bool far) const {
   using Curves = typename Boundary::Curves;
+  Patience patience;
   const plane::FreePlaces::Certain certain{
       [&](double qx, double qy, double error) {
-        return certainly_holds(qx, qy, {error, error});
+        return certainly_holds(qx, qy, {error, error}, patience);
       },
       [&](double qx, double qy, double margin) { return certainly_free(qx, qy, margin); }};
   const double x = near_value(p.x), y = near_value(p.y);
@@ -266,7 +306,7 @@ PenetrationDepth::Found PenetrationDepth::search(const Boundary& boundary, const
     return spent;
   };
   const auto halve = [&](const GridBox& w, int vain, const std::shared_ptr<const Curves>& curves) {
-    const auto [first, second] = halves(w);
+    const auto [first, second] = halves(w, halves_across_x(w, patience));
     boxes.push({first, bound(first, x, y, far), vain, second, curves});
     boxes.push({second, bound(second, x, y, far), vain, first, curves});
   };
@@ -279,7 +319,7 @@ PenetrationDepth::Found PenetrationDepth::search(const Boundary& boundary, const
   };
   const auto look = [&](const Box<Curves>& box) {
     const GridBox& w = box.window;
-    if (certainly_holds(w)) return;
+    if (certainly_holds(w, patience)) return;
     const bool small = std::max(w.x1 - w.x0, w.y1 - w.y0) <= kSmallest;
     const std::size_t most = small ? SIZE_MAX : kManyCurves;
     if (!box.among && !small && boundary.surely_has(most, grown(w))) return halve(w, 0, nullptr);

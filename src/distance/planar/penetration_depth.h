@@ -17,6 +17,7 @@
 #include <memory>
 #include <variant>
 
+#include "distance/planar_features/feature_pair_search.h"
 #include "distance/planar_features/feature_pairs.h"
 #include "distance/planar_features/inner_disc.h"
 #include "plane/query/nearest.h"
@@ -61,11 +62,27 @@ class PenetrationDepth {
   template <class Boundary>
   Found search(const Boundary& boundary, const std::optional<plane::GridBox>& bounds, const exact::RealPoint& p,
                bool far) const;
+  /// How long to look for edges that cross, of one question. Where one finds them it finds them soon, as a rule: a look
+  /// that is much longer is cut short, unless those that were cut took as long as the last whole one.
+  class Patience {
+   public:
+    std::size_t most() const { return looks_of_cut_ < looks_of_whole_ ? usual() : SIZE_MAX; }
+    void ended(const CutSearch& search);
+
+   private:
+    std::size_t usual() const;
+
+    std::size_t found_ = 0, looks_of_found_ = 0, looks_of_cut_ = 0, looks_of_whole_ = 0;
+  };
   /// At a place the shapes overlap (or B leaves A), and they do wherever moves so far lead.
-  bool certainly_holds(double x, double y, const Moves& by) const;
+  bool certainly_holds(double x, double y, const Moves& by, Patience& patience) const;
+  bool edges_cross(double x, double y, const Moves& by, Patience& patience) const;
   /// B is too wide or too high for A there, or reaches beyond it.
   bool sticks_out(double x, double y, const Moves& by) const;
-  bool certainly_holds(const plane::GridBox& w) const;
+  bool certainly_holds(const plane::GridBox& w, Patience& patience) const;
+  /// Whether left and right halves of a window are likelier to be dropped than lower and upper ones: moves along y
+  /// alone lead nowhere else than its middle does. Windows of thin teeth become long, and few.
+  bool halves_across_x(const plane::GridBox& w, Patience& patience) const;
   /// They do not, and the boundaries are farther than the margin from each other.
   bool certainly_free(double x, double y, double margin) const;
 

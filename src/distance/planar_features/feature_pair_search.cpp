@@ -38,7 +38,7 @@ class PairSearch {
   double gap() const { return best_ - slack_; }
   /// A crossing of straight edges, certain; with `arcs` also a place where arcs meet or seem to.
   std::optional<FeaturePair> run_common(bool arcs);
-  bool run_crossing(const Moves& by);
+  CutSearch run_crossing(const Moves& by, std::size_t most);
   /// The exact best among what numbers left over.
   FeaturePair best(bool far) const;
   /// What numbers say is nearest, exactly.
@@ -58,6 +58,16 @@ class PairSearch {
     return std::min(s.x1 - (t.x0 + px), t.x1 + px - s.x0) >= moves_->x &&
            std::min(s.y1 - (t.y0 + py), t.y1 + py - s.y0) >= moves_->y;
   }
+  /// Two features of the nodes may reach so far that they meet however one is moved.
+  bool reach_far_enough(Index i, Index j) const {
+    const FeatureTree::Reach s = a_.reaches()[i], t = b_.reaches()[j];
+    return s.x + t.x >= 2 * moves_->x && s.y + t.y >= 2 * moves_->y;
+  }
+  /// Of the boxes. Small ones are better to find edges that cross: a long edge makes the boxes of short ones large.
+  double size(const Entry& e) const {
+    const FeatureBox &s = a_.nodes()[e.i].box, &t = b_.nodes()[e.j].box;
+    return (s.x1 - s.x0) + (s.y1 - s.y0) + (t.x1 - t.x0) + (t.y1 - t.y0);
+  }
   Entry entry(Index i, Index j, bool far) const;
   /// leaves(leaf of A, leaf of B) for those whose features may count; ends when it returns false.
   template <class Leaves>
@@ -70,6 +80,7 @@ class PairSearch {
   const FeatureTree &a_, &b_;
   const RealPoint& p_;
   double px_, py_, slack_ = 0, tolerance_ = 0, best_ = std::numeric_limits<double>::infinity();
+  std::size_t looks_left_ = SIZE_MAX;  // at pairs of boxes
   std::optional<Moves> moves_;         // the pairs that count meet, however one is moved by as much
   std::vector<Candidate> candidates_;  // each pair once: thousands may touch at once
   std::set<Cells> kept_;               // these
@@ -91,7 +102,8 @@ void PairSearch::keep(const Candidate& c) {
 
 PairSearch::Entry PairSearch::entry(Index i, Index j, bool far) const {
   const FeatureBox &s = a_.nodes()[i].box, &t = b_.nodes()[j].box;
-  if (moves_ && !meet_when_moved(s, t, px_, py_)) return {std::numeric_limits<double>::infinity(), i, j};
+  if (moves_ && !(reach_far_enough(i, j) && meet_when_moved(s, t, px_, py_)))
+    return {std::numeric_limits<double>::infinity(), i, j};
   return {far ? -s.farthest_squared(t, px_, py_) : s.nearest_squared(t, px_, py_), i, j};
 }
 
@@ -103,7 +115,8 @@ bool PairSearch::worth(double squared, bool far) const {
 template <class Leaves>
 void PairSearch::walk_leaves(bool far, Leaves&& leaves) {
   std::vector<Entry> stack{entry(0, 0, far)};
-  while (!stack.empty()) {
+  while (!stack.empty() && looks_left_ > 0) {
+    --looks_left_;
     Entry e = stack.back();
     stack.pop_back();
     if (!worth(e.squared, far)) continue;
@@ -115,7 +128,8 @@ void PairSearch::walk_leaves(bool far, Leaves&& leaves) {
     }
     Entry near = split_first ? entry(e.i + 1, e.j, far) : entry(e.i, e.j + 1, far);
     Entry other = split_first ? entry(s.right, e.j, far) : entry(e.i, t.right, far);
-    if (other.squared < near.squared) std::swap(near, other);
+    if (other.squared < near.squared || (moves_ && !(near.squared < other.squared) && size(other) < size(near)))
+      std::swap(near, other);
     if (worth(other.squared, far)) stack.push_back(other);
     if (worth(near.squared, far)) stack.push_back(near);
   }
@@ -173,10 +187,11 @@ std::optional<FeaturePair> PairSearch::run_common(bool arcs) {
   return found;
 }
 
-bool PairSearch::run_crossing(const Moves& by) {
+CutSearch PairSearch::run_crossing(const Moves& by, std::size_t most) {
   bool found = false;
   best_ = 0;
   moves_ = by;
+  looks_left_ = most;
   walk_leaves(false, [&](const FeatureTree::Node& of_a, const FeatureTree::Node& of_b) {
     for (Index i = of_a.first; i < of_a.last && !found; ++i) {
       const BoundaryFeature& s = a_.features()[i];
@@ -189,7 +204,7 @@ bool PairSearch::run_crossing(const Moves& by) {
     }
     return !found;
   });
-  return found;
+  return {found, !found && looks_left_ == 0, most - looks_left_};
 }
 
 FeaturePair PairSearch::best(bool far) const {
@@ -227,8 +242,10 @@ std::optional<FeaturePair> crossing_pair(const FeatureTree& a, const FeatureTree
   return PairSearch(a, b, p).run_common(false);
 }
 
-bool certainly_cross(const FeatureTree& a, const FeatureTree& b, double x, double y, const Moves& by) {
-  return PairSearch(a, b, {Real::from_double(x), Real::from_double(y)}).run_crossing(by);
+CutSearch certainly_cross(const FeatureTree& a, const FeatureTree& b, double x, double y, const Moves& by,
+                          std::size_t most) {
+  const RealPoint p{Real::from_double(x), Real::from_double(y)};
+  return PairSearch(a, b, p).run_crossing(by, most);
 }
 
 bool certainly_apart(const FeatureTree& a, const FeatureTree& b, double x, double y, double margin) {

@@ -21,8 +21,14 @@ std::optional<FeaturePair> nearest_pair(const FeatureTree& a, const FeatureTree&
 FeaturePair closest_pair(const FeatureTree& a, const FeatureTree& b, const exact::RealPoint& p);
 /// A point where straight edges of the two boundaries cross, for certain.
 std::optional<FeaturePair> crossing_pair(const FeatureTree& a, const FeatureTree& b, const exact::RealPoint& p);
-/// Two edges cross, and still do when one is moved so far, for certain.
-bool certainly_cross(const FeatureTree& a, const FeatureTree& b, double x, double y, const Moves& by);
+/// A search that may be cut short: whether it found something, and how many pairs of boxes it looked at.
+struct CutSearch {
+  bool found = false, cut = false;
+  std::size_t looks = 0;
+};
+/// Two edges cross, and still do when one is moved so far, for certain; `most`: looks until the search is cut.
+CutSearch certainly_cross(const FeatureTree& a, const FeatureTree& b, double x, double y, const Moves& by,
+                          std::size_t most);
 /// The boundaries are farther than the margin from each other, for certain.
 bool certainly_apart(const FeatureTree& a, const FeatureTree& b, double x, double y, double margin);
 /// A point of both boundaries, which meet; on arcs as good as numbers tell.

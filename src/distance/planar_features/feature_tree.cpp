@@ -25,6 +25,12 @@ constexpr Index kLeaf = 4;
 
 double square(double x) { return x * x; }
 
+FeatureTree::Reach reach_of(const FeatureBox& box) { return {box.x1 - box.x0, box.y1 - box.y0}; }
+
+FeatureTree::Reach larger(FeatureTree::Reach a, FeatureTree::Reach b) {
+  return {std::max(a.x, b.x), std::max(a.y, b.y)};
+}
+
 }  // namespace
 
 void FeatureBox::add(const FeatureBox& o) {
@@ -54,6 +60,7 @@ FeatureTree::FeatureTree(const Region& region) : region_(region) {
   collect();
   if (!features_.empty()) {
     nodes_.reserve(2 * features_.size());
+    reaches_.reserve(2 * features_.size());
     build(0, Index(features_.size()));
   }
 }
@@ -91,8 +98,13 @@ void FeatureTree::collect() {
 Index FeatureTree::build(Index first, Index last) {
   Index at = Index(nodes_.size());
   nodes_.push_back({box_of(features_[first]), first, last, kNone});
+  reaches_.push_back(reach_of(nodes_[at].box));
   if (last - first <= kLeaf) {
-    for (Index k = first + 1; k < last; ++k) nodes_[at].box.add(box_of(features_[k]));
+    for (Index k = first + 1; k < last; ++k) {
+      const FeatureBox box = box_of(features_[k]);
+      nodes_[at].box.add(box);
+      reaches_[at] = larger(reaches_[at], reach_of(box));
+    }
     return at;
   }
   Index middle = first + (last - first) / 2;
@@ -101,6 +113,7 @@ Index FeatureTree::build(Index first, Index last) {
   nodes_[at].right = right;
   nodes_[at].box = nodes_[at + 1].box;
   nodes_[at].box.add(nodes_[right].box);
+  reaches_[at] = larger(reaches_[at + 1], reaches_[right]);
   return at;
 }
 

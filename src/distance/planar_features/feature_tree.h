@@ -39,6 +39,10 @@ class FeatureTree {
     plane::Index first = 0, last = 0;   // features [first, last)
     plane::Index right = plane::kNone;  // the second child; the first one follows its parent. kNone: a leaf
   };
+  /// How far one feature of a node reaches along x and along y, at most.
+  struct Reach {
+    double x, y;
+  };
   struct Near {
     double distance;
     plane::Index feature = plane::kNone;
@@ -52,6 +56,8 @@ class FeatureTree {
   bool has_arcs() const { return arcs_; }
   std::span<const BoundaryFeature> features() const { return features_; }
   std::span<const Node> nodes() const { return nodes_; }
+  /// Of each node.
+  std::span<const Reach> reaches() const { return reaches_; }
   /// A vertex of every connected piece of the boundary, from left to right.
   std::span<const plane::Index> representatives() const { return representatives_; }
   /// Those that may lie in the set when moved by (dx, dy): the others are certainly outside. Cost: O(log n).
@@ -82,6 +88,7 @@ class FeatureTree {
   const plane::Region& region_;
   std::vector<BoundaryFeature> features_;
   std::vector<Node> nodes_;
+  std::vector<Reach> reaches_;
   std::vector<plane::Index> representatives_;
   double scale_ = 1;
   bool arcs_ = false;
