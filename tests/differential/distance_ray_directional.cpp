@@ -60,7 +60,7 @@ struct Counts {
 
 void compare_map(const Case& c, const Body& b, const Body& a, const RayGrid& grid, const space::BoxComplex* boxes,
                  Counts& counts) {
-  const auto rays = ray_directional_map(c.which, c.level, c.direction, c.both_ways, b, a, grid).or_throw();
+  const auto rays = ray_directional_map(c.which, c.level, c.direction, c.both_ways, {b, a}, grid).or_throw();
   const auto ask = [&](int i, int j, const Real& z, int sign) {
     RealVector p;
     const auto axis = static_cast<std::size_t>(grid.axis);
@@ -331,6 +331,19 @@ TEST(RayDirectional, LeastOfRoundUnions) {
   }
   EXPECT_GT(all, 8);
   EXPECT_GT(near, all / 2);
+}
+
+TEST(RayDirectional, KeepsWhatCoversLeave) {
+  using Of = BodiesOnLines::Of;
+  const BodiesOnLines pair(body_of({{{{0, 0, 0}, {1, 1, 1}}}}), body_of({{{{0, 0, 0}, {4, 5, 6}}}}));
+  for (const Of of : {Of::kOverlap, Of::kOutside, Of::kOutsideBack}) {
+    EXPECT_EQ(&pair.cover(of), &pair.cover(of));
+    EXPECT_EQ(&pair.rest(of), &pair.rest(of));
+  }
+  EXPECT_FALSE(pair.cover(Of::kOverlap).beyond);
+  EXPECT_TRUE(pair.cover(Of::kOutside).beyond);
+  EXPECT_FALSE(pair.cover(Of::kOutside).all);
+  EXPECT_TRUE(pair.cover(Of::kOutsideBack).all);  // the larger one does not fit
 }
 
 }  // namespace distance_ray_directional

@@ -76,7 +76,7 @@ struct Counts {
 
 void compare_map(const Case& c, const Body& b, const Body& a, std::mt19937& random, Counts& counts) {
   const RayGrid grid{static_cast<int>(random() % 3), 7, -20, -18, 19, 17, 3, 2};
-  const auto rays = ray_directional_map(c.which, c.level, c.direction, c.both_ways, b, a, grid).or_throw();
+  const auto rays = ray_directional_map(c.which, c.level, c.direction, c.both_ways, {b, a}, grid).or_throw();
   ASSERT_TRUE(rays->searched()) << c.name;
   const auto axis = static_cast<std::size_t>(grid.axis);
   for (int j = 0; j < grid.nv; ++j) {

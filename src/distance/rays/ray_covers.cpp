@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "space/body/position_covers.h"
+#include "space/body/union_frontier.h"
 
 namespace findspace::distance {
 
@@ -50,6 +51,61 @@ RayCover overlap_sets(const Body& b, const Body& a) {
 RayCover outside_sets(const Body& b, const Body& a) {
   const std::vector<space::OutsideCell> cells = space::outside_cells(a);
   return cover_of(space::outside_cover(b, cells), bounds(a), bounds(b), true);
+}
+
+namespace {
+
+/// The half spaces that a box leaves.
+std::vector<HalfSpace> around(const RealVector& low, const RealVector& high) {
+  std::vector<HalfSpace> out;
+  for (std::size_t k = 0; k < 3; ++k) {
+    RealVector up;
+    up[k] = Real(1);
+    out.emplace_back(up, -low[k]);
+    out.emplace_back(space::negated(up), high[k]);
+  }
+  return out;
+}
+
+/// What the open sets leave.
+ClosedSets what_is_left(const RayCover& cover) {
+  ClosedSets out;
+  for (ConvexRegion& piece : space::complement_pieces(cover.lazy(), cover.low, cover.high))
+    out.regions.push_back({std::move(piece), Real()});
+  for (ConvexRegion& piece : space::cover_frontier(cover.sets, cover.low, cover.high))
+    out.regions.push_back({std::move(piece), Real()});
+  if (!cover.beyond) out.beyond = around(cover.low, cover.high);
+  return out;
+}
+
+}  // namespace
+
+ClosedSets closures(const RayCover& cover) {
+  ClosedSets out;
+  for (const auto& set : cover.sets) {
+    ConvexRegion region = cut_from(cover.low, cover.high, set);
+    if (!region.empty()) out.regions.push_back({std::move(region), Real()});
+  }
+  if (cover.beyond) out.beyond = around(cover.low, cover.high);
+  return out;
+}
+
+const RayCover& BodiesOnLines::cover(Of of) const {
+  return kept(of).cover.of([&] {
+    switch (of) {
+      case Of::kOverlap:
+        return overlap_sets(b_, a_);
+      case Of::kOutside:
+        return outside_sets(b_, inside_of(a_));
+      case Of::kOutsideBack:
+        break;
+    }
+    return outside_sets(mirrored(a_), mirrored(b_));
+  });
+}
+
+const ClosedSets& BodiesOnLines::rest(Of of) const {
+  return kept(of).rest.of([&] { return what_is_left(cover(of)); });
 }
 
 ConvexRegion difference_core(const space::BodyPart& a, const space::BodyPart& b) {

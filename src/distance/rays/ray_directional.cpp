@@ -27,52 +27,6 @@ using space::Sweep;
 using Source = space::RaySourcePointer;
 using TriedSource = exact::Tried<Source>;
 
-/// A convex set grown by a ball.
-struct Grown {
-  ConvexRegion core;
-  Real radius;
-};
-
-/// A union of closed convex sets: grown regions, and half spaces beyond the box that holds the rest.
-struct ClosedSets {
-  std::vector<Grown> regions;
-  std::vector<HalfSpace> beyond;
-};
-
-/// The half spaces that a box leaves.
-std::vector<HalfSpace> around(const RealVector& low, const RealVector& high) {
-  std::vector<HalfSpace> out;
-  for (std::size_t k = 0; k < 3; ++k) {
-    RealVector up;
-    up[k] = Real(1);
-    out.emplace_back(up, -low[k]);
-    out.emplace_back(space::negated(up), high[k]);
-  }
-  return out;
-}
-
-/// The closures of the open sets.
-ClosedSets closures(const RayCover& cover) {
-  ClosedSets out;
-  for (const auto& set : cover.sets) {
-    ConvexRegion region = cut_from(cover.low, cover.high, set);
-    if (!region.empty()) out.regions.push_back({std::move(region), Real()});
-  }
-  if (cover.beyond) out.beyond = around(cover.low, cover.high);
-  return out;
-}
-
-/// What the open sets leave.
-ClosedSets rest(const RayCover& cover) {
-  ClosedSets out;
-  for (ConvexRegion& piece : space::complement_pieces(cover.lazy(), cover.low, cover.high))
-    out.regions.push_back({std::move(piece), Real()});
-  for (ConvexRegion& piece : space::cover_frontier(cover.sets, cover.low, cover.high))
-    out.regions.push_back({std::move(piece), Real()});
-  if (!cover.beyond) out.beyond = around(cover.low, cover.high);
-  return out;
-}
-
 /// The positions at which the closed bodies meet, by pairs of parts.
 ClosedSets differences(const Body& b, const Body& a) {
   ClosedSets out;
@@ -93,9 +47,9 @@ class Directional {
         grid_(grid) {}
 
   /// gamma1 of the open set that the cover is, its own closed companion being the closures'. Not at level 0.
-  Source signed_map(const RayCover& cover, const Real& level) const;
+  Source signed_map(const BodiesOnLines& bodies, BodiesOnLines::Of of, const Real& level) const;
   /// gamma1 below 0 where the set is one region.
-  Source depth_map(const Grown& set, const Real& level) const;
+  Source depth_map(const GrownRegion& set, const Real& level) const;
   /// The greatest distance to a inside_of closed set.
   Source farthest_map(const ClosedSets& closed, const Real& level) const;
   /// From p at most `reach` along the way: sums of what is met with the way back.
@@ -121,7 +75,7 @@ Source Directional::swept(const ClosedSets& sets, Sweep sweep) const {
   sweep.from = sweep.from / length_;
   sweep.to = sweep.to / length_;
   std::vector<LinePiece> pieces;
-  for (const Grown& set : sets.regions) space::add_swept_pieces(set.core, set.radius, sweep, pieces);
+  for (const GrownRegion& set : sets.regions) space::add_swept_pieces(set.core, set.radius, sweep, pieces);
   for (const HalfSpace& h : sets.beyond) pieces.push_back(space::swept_piece(h, sweep));
   return std::make_unique<space::PieceRays>(pieces, scale_, grid_);
 }
@@ -131,13 +85,13 @@ Source Directional::within(const ClosedSets& sets, const Real& reach) const {
                     : swept(sets, {way_, -reach, Real(), false, true});
 }
 
-Source Directional::signed_map(const RayCover& cover, const Real& level) const {
-  if (level.sign() > 0) return within(closures(cover), level);
-  return space::negated_rays(within(rest(cover), -level));
+Source Directional::signed_map(const BodiesOnLines& bodies, BodiesOnLines::Of of, const Real& level) const {
+  if (level.sign() > 0) return within(closures(bodies.cover(of)), level);
+  return space::negated_rays(within(bodies.rest(of), -level));
 }
 
 /// The set and where it is moved by the depth have to hold the position: inside of the convex set is all between.
-Source Directional::depth_map(const Grown& set, const Real& level) const {
+Source Directional::depth_map(const GrownRegion& set, const Real& level) const {
   std::vector<LinePiece> whole{space::whole_piece(set.core)};
   if (set.radius.sign() > 0) add_round_pieces(set.core, set.radius, whole);
   std::vector<Source> all;
@@ -165,7 +119,7 @@ Source Directional::farthest_map(const ClosedSets& closed, const Real& level) co
   // A position that meets the set within the level meets nothing of it farther off than the level and its extent.
   Real extent, radius;
   const ConvexRegion::Vertex& first = closed.regions[0].core.vertices()[0];
-  for (const Grown& set : closed.regions) {
+  for (const GrownRegion& set : closed.regions) {
     radius = std::max(radius, set.radius);
     for (const ConvexRegion::Vertex& v : set.core.vertices()) {
       for (std::size_t k = 0; k < 3; ++k) extent = std::max(extent, abs(v.at[k] - first.at[k]));
@@ -178,7 +132,7 @@ Source Directional::farthest_map(const ClosedSets& closed, const Real& level) co
   } else {
     // At level 0 only what is met at once counts.
     std::vector<LinePiece> pieces;
-    for (const Grown& set : closed.regions) {
+    for (const GrownRegion& set : closed.regions) {
       pieces.push_back(space::whole_piece(set.core));
       if (set.radius.sign() > 0) add_round_pieces(set.core, set.radius, pieces);
     }
@@ -193,20 +147,20 @@ Source Directional::farthest_map(const ClosedSets& closed, const Real& level) co
 /// Of eta1 and eta2, A inside_of.
 bool fit_by_values(const Body& b, const Body& a) { return a.round() || (b.round() && !a.convex()); }
 
-Source gamma(const Directional& maker, const Body& b, const Body& a, const Real& level, bool farthest);
-
-/// eta1 and eta2. Inside and outside of A exchanged eta1 is -gamma1.
-TriedSource eta(const Directional& maker, const Body& b, const Body& a, const Real& level, bool farthest,
-                const RayGrid& grid) {
-  if (a.outside && farthest) return space::constant_rays(grid, 1);
-  if (a.outside) return space::negated_rays(gamma(maker, b, inside_of(a), -level, false));
-  if (fit_by_values(b, a)) return round_fit_map(level, maker.query(farthest), b, a, grid);
-  const RayCover cover = outside_sets(b, a);
-  if (cover.all) return space::constant_rays(grid, 1);
-  return farthest ? maker.farthest_map(rest(cover), level) : space::negated_rays(maker.signed_map(cover, -level));
+/// B in A, or A in B where the positions are those of D; neither is a complement.
+TriedSource fit(const Directional& maker, const BodiesOnLines& bodies, BodiesOnLines::Of of, const Real& level,
+                bool farthest) {
+  const bool back = of == BodiesOnLines::Of::kOutsideBack;
+  const Body b = back ? mirrored(bodies.a()) : bodies.b(), a = back ? mirrored(bodies.b()) : inside_of(bodies.a());
+  if (fit_by_values(b, a)) return round_fit_map(level, maker.query(farthest), b, a, maker.grid());
+  if (bodies.cover(of).all) return space::constant_rays(maker.grid(), 1);
+  return farthest ? maker.farthest_map(bodies.rest(of), level)
+                  : space::negated_rays(maker.signed_map(bodies, of, -level));
 }
 
-Source gamma(const Directional& maker, const Body& b, const Body& a, const Real& level, bool farthest) {
+/// Of a bounded A.
+Source gamma(const Directional& maker, const BodiesOnLines& bodies, const Real& level, bool farthest) {
+  const Body &b = bodies.b(), &a = bodies.a();
   if (a.round() || b.round()) {
     const ClosedSets closed = differences(b, a);
     if (farthest) return maker.farthest_map(closed, level);
@@ -214,32 +168,38 @@ Source gamma(const Directional& maker, const Body& b, const Body& a, const Real&
     if (closed.regions.size() == 1) return maker.depth_map(closed.regions[0], level);
     return round_depth_map(level, maker.query(false), b, a, maker.grid());
   }
-  const RayCover cover = overlap_sets(b, a);
-  return farthest ? maker.farthest_map(closures(cover), level) : maker.signed_map(cover, level);
+  constexpr auto kOverlap = BodiesOnLines::Of::kOverlap;
+  return farthest ? maker.farthest_map(closures(bodies.cover(kOverlap)), level)
+                  : maker.signed_map(bodies, kOverlap, level);
 }
+
+TriedSource negated(TriedSource rays) { return rays ? space::negated_rays(*std::move(rays)) : std::move(rays); }
 
 }  // namespace
 
 TriedSource ray_directional_map(Which which, const Real& level, const RealVector& direction, bool both_ways,
-                                const Body& b, const Body& a, const RayGrid& grid) {
+                                const BodiesOnLines& bodies, const RayGrid& grid) {
+  using Of = BodiesOnLines::Of;
   const bool farthest = which == Which::kGamma2 || which == Which::kEta2 || which == Which::kDelta2;
-  if (!farthest && level.sign() == 0) return ray_sign_map(which, level, b, a, grid);
-  const Directional maker(direction, both_ways, b.scale, grid);
+  if (!farthest && level.sign() == 0) return ray_sign_map(which, level, bodies.b(), bodies.a(), grid);
+  const bool outside = bodies.a().outside;
+  if (outside && farthest) return space::constant_rays(grid, 1);
+  const Directional maker(direction, both_ways, bodies.b().scale, grid);
+  // Inside and outside of A exchanged eta1 is -gamma1.
   switch (which) {
     case Which::kGamma1:
-    case Which::kGamma2: {
-      if (!a.outside) return gamma(maker, b, a, level, farthest);
-      if (farthest) return space::constant_rays(grid, 1);
-      TriedSource inside = eta(maker, b, inside_of(a), -level, false, grid);
-      return inside ? space::negated_rays(*std::move(inside)) : std::move(inside);
-    }
+    case Which::kGamma2:
+      if (outside) return negated(fit(maker, bodies, Of::kOutside, -level, false));
+      return gamma(maker, bodies, level, farthest);
     case Which::kEta1:
     case Which::kEta2:
-      return eta(maker, b, a, level, farthest, grid);
+      if (outside)
+        return space::negated_rays(gamma(maker, BodiesOnLines(bodies.b(), inside_of(bodies.a())), -level, false));
+      return fit(maker, bodies, Of::kOutside, level, farthest);
     default:
       // A in B + p is -A + p in -B.
-      if (a.outside) return space::constant_rays(grid, 1);
-      return eta(maker, mirrored(a), mirrored(b), level, farthest, grid);
+      if (outside) return space::constant_rays(grid, 1);
+      return fit(maker, bodies, Of::kOutsideBack, level, farthest);
   }
 }
 

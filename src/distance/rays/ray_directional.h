@@ -14,7 +14,7 @@
 #include <memory>
 
 #include "distance/planar/shape_pair.h"
-#include "space/body/body.h"
+#include "distance/rays/ray_covers.h"
 #include "space/rays/ray_sources.h"
 
 namespace findspace::distance {
@@ -22,7 +22,6 @@ namespace findspace::distance {
 /// `which` is one of the six; the level in the bodies' steps. `direction` need not be of length 1.
 exact::Tried<space::RaySourcePointer> ray_directional_map(Which which, const exact::Real& level,
                                                           const space::RealVector& direction, bool both_ways,
-                                                          const space::Body& b, const space::Body& a,
-                                                          const space::RayGrid& grid);
+                                                          const BodiesOnLines& bodies, const space::RayGrid& grid);
 
 }  // namespace findspace::distance

@@ -63,20 +63,30 @@ Tried<space::Body> body(const RayWorld& world, const std::vector<std::string>& n
 
 RealVector direction_of(const Distance& d) { return {d.vector.at(0), d.vector.at(1), d.vector.at(2)}; }
 
+/// Of one scale.
+Tried<KeptBodies::Pointer> bodies(const RayWorld& world, const std::vector<std::string>& moving_names,
+                                  const std::vector<std::string>& fixed_names) {
+  const Tried<space::Body> moving = body(world, moving_names);
+  if (!moving) return moving.refusal();
+  const Tried<space::Body> fixed = body(world, fixed_names);
+  if (!fixed) return fixed.refusal();
+  const std::int64_t scale = space::joint_scale(moving->scale, fixed->scale);
+  return std::make_shared<const distance::BodiesOnLines>(space::at_scale(*moving, scale),
+                                                         space::at_scale(*fixed, scale));
+}
+
 /// By the convex parts of the shapes.
 Tried<space::RaySourcePointer> by_parts(const RayWorld& world, const SignMap& map, const Distance& d, bool second,
                                         const RayGrid& grid) {
-  const Tried<space::Body> moving = body(world, second ? d.second : d.first);
-  if (!moving) return moving.refusal();
-  const Tried<space::Body> fixed = body(world, second ? d.first : d.second);
-  if (!fixed) return fixed.refusal();
-  const std::int64_t scale = space::joint_scale(moving->scale, fixed->scale);
-  if (moving->outside) return no_map(map, "a moving shape has to be bounded");
-  const space::Body b = space::at_scale(*moving, scale), a = space::at_scale(*fixed, scale);
+  const std::vector<std::string>&moving = second ? d.second : d.first, &fixed = second ? d.first : d.second;
+  const Tried<KeptBodies::Pointer> made = world.bodies.of(moving, fixed, [&] { return bodies(world, moving, fixed); });
+  if (!made) return made.refusal();
+  const distance::BodiesOnLines& pair = **made;
+  if (pair.b().outside) return no_map(map, "a moving shape has to be bounded");
   const distance::Which base = which(d.kind, second);
-  const Real level = map.level / world.step * Real(scale);
-  if (!is_directional(d)) return distance::ray_sign_map(base, level, b, a, grid);
-  return distance::ray_directional_map(base, level, direction_of(d), d.mode == Mode::kAlong, b, a, grid);
+  const Real level = map.level / world.step * Real(pair.b().scale);
+  if (!is_directional(d)) return distance::ray_sign_map(base, level, pair.b(), pair.a(), grid);
+  return distance::ray_directional_map(base, level, direction_of(d), d.mode == Mode::kAlong, pair, grid);
 }
 
 Tried<SurfaceRays> parts(const RayWorld& world, const SignMap& map, const RayGrid& grid);
@@ -236,6 +246,19 @@ class RegionRays : public RaySource {
 };
 
 }  // namespace
+
+KeptBodies& KeptBodies::operator=(const KeptBodies& other) {
+  if (this != &other) made_.clear();
+  return *this;
+}
+
+Tried<KeptBodies::Pointer> KeptBodies::of(const Names& moving, const Names& fixed,
+                                          const std::function<Tried<Pointer>()>& make) const {
+  const std::lock_guard lock(guard_);
+  const auto known = made_.find({moving, fixed});
+  if (known != made_.end()) return known->second;
+  return made_.emplace(std::pair(moving, fixed), make()).first->second;
+}
 
 RayWindow window(const RayWorld& world, const Formula& formula) {
   RayWindow result;

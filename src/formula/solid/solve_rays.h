@@ -8,6 +8,7 @@
 // of solids and axis, or the pieces of the sets of positions. Keywords: feasible region, configuration space.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -17,6 +18,7 @@
 #include <vector>
 
 #include "distance/answer/way.h"
+#include "distance/rays/ray_covers.h"
 #include "formula/language/formula.h"
 #include "formula/solid/side.h"
 #include "plane/query/section.h"
@@ -51,10 +53,29 @@ class RayShape {
   std::shared_ptr<Made> made_ = std::make_shared<Made>();
 };
 
+/// Bodies of the shapes of two lists of names, the moving ones first, each pair made when first asked for. A copy has
+/// none, as its shapes may become others. Threads: safe.
+class KeptBodies {
+ public:
+  using Names = std::vector<std::string>;
+  using Pointer = std::shared_ptr<const distance::BodiesOnLines>;
+  KeptBodies() = default;
+  KeptBodies(const KeptBodies& /*other*/) {}
+  KeptBodies& operator=(const KeptBodies& other);
+
+  exact::Tried<Pointer> of(const Names& moving, const Names& fixed,
+                           const std::function<exact::Tried<Pointer>()>& make) const;
+
+ private:
+  mutable std::mutex guard_;
+  mutable std::map<std::pair<Names, Names>, exact::Tried<Pointer>> made_;
+};
+
 struct RayWorld {
   std::map<std::string, RayShape> shapes;
   std::vector<std::string> moving;
   exact::Real step;  // one grid step in the scene's unit
+  KeptBodies bodies{};
 };
 
 /// A box (grid steps) beyond which no sign of the formula changes.
