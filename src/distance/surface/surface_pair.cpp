@@ -10,6 +10,7 @@
 #include "distance/surface/surface_ball.h"
 #include "distance/surface/surface_contact.h"
 #include "distance/surface/surface_field.h"
+#include "exact/margins/space_distance.h"
 #include "space/body/body_boxes.h"
 
 namespace findspace::distance {
@@ -272,6 +273,9 @@ Solids solids_about(const SurfaceField& field) {
   return out;
 }
 
+/// Of which a distance is asked where little time is to be spent.
+constexpr std::size_t kFewCorners = 64;
+
 Answer exact_distance(const space::SurfaceSet& a, const RealVector& at) {
   NearestBall nearest(at);
   for (const auto& sheet : a.sheets()) nearest.offer(way_to(*sheet, at), Real());
@@ -290,6 +294,33 @@ Answer SurfaceSide::protrusion_out(const RealVector& p) const {
   const SolidMaxMin found =
       parts ? surface_max_min(solids_of(*parts, p), nullptr, of_a) : surface_max_min(solids_about(of_b), &about, of_a);
   return protrusion_answer(found, corners_of(b), p, [&](const RealVector& at) { return exact_distance(a, at); });
+}
+
+SurfaceSide::FewCorners SurfaceSide::made_few_corners() const {
+  FewCorners out;
+  if (!gaps_) return out;
+  out.field.emplace(*a_.surface, Vector{});
+  const std::vector<space::Point> corners = corners_of(*b_.surface);
+  const std::size_t apart = corners.size() / kFewCorners + 1;
+  for (std::size_t k = 0; k < corners.size(); k += apart) out.corners.push_back(exact::approx(corners[k]));
+  for (const Vector& v : out.corners) out.size = std::max(out.size, space::size_of(v));
+  const space::Extent box = out.field->box();
+  out.size += std::max(space::size_of(box.low), space::size_of(box.high));
+  return out;
+}
+
+exact::Interval SurfaceSide::protrusion_within(const Vector& p) const {
+  const FewCorners& few = few_corners_.of([&] { return made_few_corners(); });
+  exact::Interval out = exact::whole_line();
+  for (const Vector& v : few.corners) {
+    const Vector x = space::plus(v, p);
+    const SurfaceField::Signed at = few.field->at(x);
+    if (at.value > std::max(out.lo, 0.0) && few.field->inside(x, at.distance) == std::optional(false))
+      out.lo = at.value;
+  }
+  if (!(out.lo > 0)) return exact::whole_line();
+  out.lo -= margin::kNumbersOff * (few.size + space::size_of(p));
+  return out;
 }
 
 }  // namespace findspace::distance

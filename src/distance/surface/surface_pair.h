@@ -52,6 +52,8 @@ class SurfaceSide : public PairSide {
   TriedAnswer clearance(const space::RealVector& p) const override;
   /// The distance where the surfaces are apart and neither solid holds a piece of the other; else that there is none.
   exact::Interval gap_within(const space::Vector& p) const override;
+  /// No less than some corners say.
+  exact::Interval protrusion_within(const space::Vector& p) const override;
 
  private:
   /// Positions at which the one touches the other from one side, made when first needed.
@@ -87,6 +89,14 @@ class SurfaceSide : public PairSide {
 
   Surfaced b_, a_;
   plane::Lazy<Near> near_;
+  /// Corners of B, few, and A.
+  struct FewCorners {
+    std::vector<space::Vector> corners;
+    std::optional<SurfaceField> field;
+    double size = 0;
+  };
+  FewCorners made_few_corners() const;
+  plane::Lazy<FewCorners> few_corners_;
   std::unique_ptr<const space::SurfaceGaps> gaps_;
   Contacts outside_, inside_;
 };

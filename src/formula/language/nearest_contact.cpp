@@ -75,8 +75,11 @@ std::optional<NearestFeasible> contact(const ContactWorld& world, const Atom& at
   for (std::size_t k = 0; k < p.size(); ++k) unit[k] = (p[k] - (*to)[k]) / m->value;
   const Real fall = m->value - atom.level;
   const auto falls_by = [&](const Real& by) {
-    const auto there = world.value(atom.distance, behind(p, by, unit));
-    return there && there->proven && !there->minus_infinity && there->value == m->value - by;
+    const Coordinates at = behind(p, by, unit);
+    const Real wanted = m->value - by;
+    if (world.more(atom.distance, wanted, at)) return false;
+    const auto there = world.value(atom.distance, at);
+    return there && there->proven && !there->minus_infinity && there->value == wanted;
   };
   const bool limit = !holds(atom, 0);
   const bool to_contact = !directed && fall.sign() == m->value.sign() && !(abs(fall) > abs(m->value));

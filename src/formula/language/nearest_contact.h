@@ -29,6 +29,9 @@ struct ContactWorld {
   std::function<std::optional<distance::Coordinates>(const Distance&, const exact::Real& level,
                                                      const distance::Coordinates&)>
       apart = {};
+  /// Whether the distance is surely more than that, as far as it is quickly known.
+  std::function<bool(const Distance&, const exact::Real&, const distance::Coordinates&)> more =
+      [](const Distance&, const exact::Real&, const distance::Coordinates&) { return false; };
 };
 
 std::optional<NearestFeasible> nearest_by_contact(const ContactWorld& world, const Formula& formula,

@@ -4,7 +4,9 @@
 // The nearest feasible position, where the region is made of boxes or is one convex set, or contacts decide
 // (nearest_contact.h). Exact where that says so.
 #include <algorithm>
+#include <cmath>
 #include <deque>
+#include <utility>
 
 #include "findspace/error.h"
 #include "formula/language/nearest_contact.h"
@@ -18,6 +20,22 @@ using exact::Real;
 using space::RealVector;
 
 namespace {
+
+/// Of a directed distance of a large mesh, as far as it is quickly known, all in grid steps.
+bool surely_more(const SpaceSolver& solver, const Distance& d, const Real& level, const RealVector& p) {
+  if (d.kind == Kind::kHausdorff) {
+    Distance forth = d;
+    forth.kind = Kind::kMu;
+    Distance back = forth;
+    std::swap(back.first, back.second);
+    return surely_more(solver, forth, level, p) || surely_more(solver, back, level, p);
+  }
+  if (d.kind != Kind::kMu && d.kind != Kind::kH) return false;
+  const SpaceSolver::QuickDistance quick = solver.quick_distance(d);
+  if (!quick.large) return false;
+  const double least = quick.within(space::rounded(p)).lo;
+  return std::isfinite(least) && Real::from_double(least) > level;
+}
 
 std::optional<NearestFeasible> from_contacts(const SpaceSolver& solver, const Formula& formula, const RealVector& p) {
   const Real& step = solver.world().step;
@@ -57,6 +75,9 @@ std::optional<NearestFeasible> from_contacts(const SpaceSolver& solver, const Fo
         const Real per = Real(1) / step;
         const auto at = solver.nearest_apart(d, level * per, space::scaled(per, {q[0], q[1], q[2]}));
         return at ? std::optional(distance::coordinates(space::scaled(step, *at))) : std::nullopt;
+      },
+      [&](const Distance& d, const Real& level, const Coordinates& q) {
+        return surely_more(solver, d, level / step, space::scaled(Real(1) / step, {q[0], q[1], q[2]}));
       }};
   return nearest_by_contact(asked, formula, distance::coordinates(p));
 }
