@@ -51,7 +51,8 @@ std::vector<SurfaceDepths::Place> SurfaceDepths::places_of(const space::SurfaceS
 }
 
 SurfaceDepths::SurfaceDepths(const space::SurfaceSet& b, const space::SurfaceSet& a, space::TouchSide side)
-    : trees_{Tree{{}, {}, {a, {}}, side == space::TouchSide::kInside, false}, Tree{{}, {}, {b, {}}, false, true}} {
+    : trees_{Tree{{}, {}, FieldSamples(a), side == space::TouchSide::kInside, false},
+             Tree{{}, {}, FieldSamples(b), false, true}} {
   for (Tree& tree : trees_) {
     // Of the complement of A balls are not looked for.
     tree.places = places_of(tree.back ? a : b, !tree.back || side == space::TouchSide::kOutside);
@@ -98,12 +99,31 @@ int SurfaceDepths::divided(Tree& tree, int node) {
   return first;
 }
 
-double SurfaceDepths::depth(const Tree& tree, const Node& node, const Vector& position) {
+namespace {
+
+/// A place of the node's ball is surely deeper than that.
+template <class Node>
+bool some_deeper(const exact::Interval& depth, const Node& node, double than) {
+  return depth.lo - node.radius + node.least > than;
+}
+/// Surely none is.
+template <class Node>
+bool none_deeper(const exact::Interval& depth, const Node& node, double than) {
+  return !(depth.hi + node.radius + node.most > than);
+}
+
+}  // namespace
+
+exact::Interval SurfaceDepths::depth(const Tree& tree, const Node& node, const Vector& position, double than) {
   const Vector x = tree.back ? node.middle - position : space::plus(node.middle, position);
-  const SurfaceField::Signed at = tree.other.at(x);
-  // Next to the surface the side is not decided: 0 but for roundings.
-  if (!at.certain) return -at.distance;
-  return tree.outward ? at.value : -at.value;
+  exact::Interval out;
+  tree.other.ask(x, than, [&](const exact::Interval& at) {
+    out = tree.outward ? at : -at;
+    // Or that whatever the depth is, neither of the two is so.
+    const bool neither = !(out.hi - node.radius + node.least > than) && out.lo + node.radius + node.most > than;
+    return some_deeper(out, node, than) || none_deeper(out, node, than) || neither;
+  });
+  return out;
 }
 
 bool SurfaceDepths::deeper(Tree& tree, const Vector& position, double than, int& likely) {
@@ -116,13 +136,13 @@ bool SurfaceDepths::deeper(Tree& tree, const Vector& position, double than, int&
   int looks = 0;
   const auto look = [&](int k) {
     const Node& node = tree.nodes[static_cast<std::size_t>(k)];
-    const double at = depth(tree, node, position);
+    const exact::Interval at = depth(tree, node, position, than);
     ++looks;
-    if (at - node.radius + node.least > than) {
+    if (some_deeper(at, node, than)) {
       likely = k;
       return true;
     }
-    if (at + node.radius + node.most > than && !node.leaf()) stack[left++] = {at + node.most, k};
+    if (!node.leaf() && !none_deeper(at, node, than)) stack[left++] = {(at.lo + at.hi) / 2 + node.most, k};
     return false;
   };
   if (look(0)) return true;
@@ -139,7 +159,7 @@ bool SurfaceDepths::deeper(const Vector& position, double than, int& likely) {
   if (likely != kNone) {
     const Tree& tree = trees_[static_cast<std::size_t>(likely % 2)];
     const Node& node = tree.nodes[static_cast<std::size_t>(likely / 2)];
-    if (depth(tree, node, position) - node.radius + node.least > than) return true;
+    if (some_deeper(depth(tree, node, position, than), node, than)) return true;
   }
   for (int k = 0; k < 2; ++k) {
     int found = kNone;

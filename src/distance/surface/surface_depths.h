@@ -6,9 +6,9 @@
 // in B. The places are the corners and, of surfaces that are not fine, the middles of the edges and faces of both, and
 // the centres of balls that touch some of the faces from inside, in trees of balls. Guarantee: doubles; a depth is
 // never decided as more than it is but for roundings. Cost: some dozen distances to a surface, about a microsecond
-// each; the trees are divided where they are looked at. Threads: one at a time. Source: the balls as in Ma, Bae, Choi
-// 2012, "3D medial axis point approximation using nearest neighbors and the normal field". Keywords: penetration depth,
-// lower bound, bounding sphere hierarchy, shrinking ball.
+// each, or a known one nearby (field_samples.h); the trees are divided where they are looked at. Threads: one at a
+// time. Source: the balls as in Ma, Bae, Choi 2012, "3D medial axis point approximation using nearest neighbors and the
+// normal field". Keywords: penetration depth, lower bound, bounding sphere hierarchy, shrinking ball.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 #include <span>
 #include <vector>
 
-#include "distance/surface/surface_field.h"
+#include "distance/surface/field_samples.h"
 #include "space/surface/real_overlap.h"
 
 namespace findspace::distance {
@@ -50,7 +50,7 @@ class SurfaceDepths {
   struct Tree {
     std::vector<Place> places;
     std::vector<Node> nodes;  // those that were needed
-    SurfaceField other;
+    FieldSamples other;
     bool outward = false;  // deeper is farther out of the other one
     bool back = false;     // these are places of A
   };
@@ -59,8 +59,8 @@ class SurfaceDepths {
   static Node node_of(const Tree& tree, std::uint32_t begin, std::uint32_t end);
   /// The first of the two that the node is divided in.
   static int divided(Tree& tree, int node);
-  /// At the middle of the node; where that is not decided, nothing but what is certain.
-  static double depth(const Tree& tree, const Node& node, const space::Vector& position);
+  /// At the middle of the node, between bounds that tell whether its ball has a place that is deeper than that.
+  static exact::Interval depth(const Tree& tree, const Node& node, const space::Vector& position, double than);
   static bool deeper(Tree& tree, const space::Vector& position, double than, int& likely);
 
   std::array<Tree, 2> trees_;
