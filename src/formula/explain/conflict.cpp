@@ -10,16 +10,6 @@ namespace {
 
 constexpr std::size_t kMostSteps = 20000;
 
-/// The first cell where the formula holds when only the kept demands count; the end if there is none.
-std::vector<MetDemands>::const_iterator roomy(const Demands& demands, const std::vector<MetDemands>& cells,
-                                              const std::vector<bool>& kept) {
-  std::vector<bool> met(demands.size());
-  return std::find_if(cells.begin(), cells.end(), [&](const MetDemands& cell) {
-    for (std::size_t k = 0; k < met.size(); ++k) met[k] = cell[k] || !kept[k];
-    return demands.truth(met);
-  });
-}
-
 std::vector<std::size_t> members(const std::vector<bool>& kept) {
   std::vector<std::size_t> out;
   for (std::size_t k = 0; k < kept.size(); ++k)
@@ -27,48 +17,50 @@ std::vector<std::size_t> members(const std::vector<bool>& kept) {
   return out;
 }
 
+/// The first cell where the formula holds when only the kept demands count; size() if there is none.
+std::size_t roomy(FailingCells& cells, const std::vector<bool>& kept) {
+  return cells.first([&](std::size_t k) { return kept[k]; });
+}
+
 /// Searches conflicts of at most `most` demands, by depth.
 class SmallerConflict {
  public:
-  SmallerConflict(const Demands& demands, const std::vector<MetDemands>& cells) : demands_(demands), cells_(cells) {}
+  explicit SmallerConflict(FailingCells& cells) : cells_(cells) {}
 
   bool find(std::vector<bool>& kept, std::size_t most) {
-    if (++steps_ > kMostSteps) return false;
-    const auto cell = roomy(demands_, cells_, kept);
-    if (cell == cells_.end()) return true;
+    ended_ = ended_ && ++steps_ <= kMostSteps && cells_.allows_a_pass();
+    if (!ended_) return false;
+    const std::size_t cell = roomy(cells_, kept);
+    if (cell == cells_.size()) return true;
     if (most == 0) return false;
-    for (std::size_t k = 0; k < kept.size(); ++k) {
-      if (kept[k] || (*cell)[k]) continue;
+    for (const std::uint32_t k : cells_.failing(cell)) {
+      if (kept[k]) continue;
       kept[k] = true;
       if (find(kept, most - 1)) return true;
       kept[k] = false;
     }
     return false;
   }
-  bool ended() const { return steps_ <= kMostSteps; }
+  bool ended() const { return ended_; }
 
  private:
-  const Demands& demands_;
-  const std::vector<MetDemands>& cells_;
+  FailingCells& cells_;
   std::size_t steps_ = 0;
+  bool ended_ = true;
 };
 
 }  // namespace
 
-bool is_satisfiable(const Demands& demands, const std::vector<MetDemands>& cells, const std::vector<bool>& kept) {
-  return roomy(demands, cells, kept) != cells.end();
-}
-
-Conflict find_conflict(const Demands& demands, const std::vector<MetDemands>& cells) {
-  std::vector<bool> kept(demands.size(), true);
+Conflict find_conflict(FailingCells& cells) {
+  std::vector<bool> kept(cells.demands(), true);
   for (std::size_t k = 0; k < kept.size(); ++k) {
     kept[k] = false;
-    if (is_satisfiable(demands, cells, kept)) kept[k] = true;
+    if (roomy(cells, kept) < cells.size()) kept[k] = true;
   }
   const std::size_t count = members(kept).size();
-  SmallerConflict search(demands, cells);
+  SmallerConflict search(cells);
   for (std::size_t most = 0; most < count && search.ended(); ++most) {
-    std::vector<bool> fewer(demands.size(), false);
+    std::vector<bool> fewer(cells.demands(), false);
     if (search.find(fewer, most)) return {members(fewer), true};
   }
   return {members(kept), search.ended()};

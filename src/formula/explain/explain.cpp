@@ -119,12 +119,10 @@ bool holds_without(const Demands& demands, std::span<const plane::Mark> signs, s
   return demands.truth(met);
 }
 
-bool has_room(const Demands& demands, const std::vector<MetDemands>& cells,
-              const std::optional<AssumedDemand>& assumed) {
-  return std::any_of(cells.begin(), cells.end(), [&](MetDemands met) {
-    if (assumed) met[assumed->atom] = assumed->met;
-    return demands.truth(met);
-  });
+bool has_room(FailingCells& cells, const std::optional<AssumedDemand>& assumed) {
+  const std::size_t other = assumed ? assumed->atom : FailingCells::kNoDemand;
+  const std::size_t also = assumed && !assumed->met ? assumed->atom : FailingCells::kNoDemand;
+  return cells.first([other](std::size_t k) { return k != other; }, also) < cells.size();
 }
 
 LevelChange changed(const Demands& demands, std::size_t k, const distance::OptimalValue& best, bool attained) {

@@ -13,7 +13,8 @@
 // place of a position (angle_ground.cpp), over time an instant (time_ground.cpp). Refused: over positions shapes that
 // rotate in time and distances in rotation, whose regions are known between bounds, and over time the same; over angles
 // distances in rotation about another point; in space distances along a direction, and `-> min`. Cost: in the plane one
-// overlay and one least value for each demand, some fifteen regions for the common relaxation; in space a search each.
+// overlay, for each demand a look at its cells and one least value, some fifteen regions for the common relaxation; in
+// space a search each. The cells and looks are counted against the work that the asker allows (failing_cells.h).
 // Keywords: infeasibility analysis, irreducible infeasible subsystem, elastic relaxation, slack, sensitivity.
 #pragma once
 

@@ -44,26 +44,25 @@ class Ground {
 };
 
 /// Whether the formula holds in one of some cells.
-bool has_room(const Demands& demands, const std::vector<MetDemands>& cells,
-              const std::optional<AssumedDemand>& assumed);
+bool has_room(FailingCells& cells, const std::optional<AssumedDemand>& assumed);
 
 /// A ground of finitely many cells, in each of which the same demands are met.
 class KnownCells : public Ground {
  public:
   explicit KnownCells(const Demands& demands) : demands_(demands) {}
-  exact::Tried<bool> room(const std::optional<AssumedDemand>& assumed) override {
-    return has_room(demands_, cells_, assumed);
-  }
-  Conflict conflict() override { return find_conflict(demands_, cells_); }
+  exact::Tried<bool> room(const std::optional<AssumedDemand>& assumed) override { return has_room(*cells_, assumed); }
+  Conflict conflict() override { return find_conflict(*cells_); }
 
  protected:
   const Demands& demands() const { return demands_; }
   /// What is met in them; before any question.
-  void know(const std::set<MetDemands>& cells) { cells_.assign(cells.begin(), cells.end()); }
+  void know(const std::set<MetDemands>& cells) {
+    cells_.emplace(demands_, std::vector<MetDemands>(cells.begin(), cells.end()));
+  }
 
  private:
   const Demands& demands_;
-  std::vector<MetDemands> cells_;
+  std::optional<FailingCells> cells_;
 };
 
 /// The level of demand k goes to the best value of its distance, where there is one.

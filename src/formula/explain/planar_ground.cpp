@@ -11,8 +11,8 @@
 #include "formula/planar/feasible_near.h"
 #include "formula/planar/regions.h"
 #include "formula/planar/solve_region.h"
-#include "plane/base/parallel.h"
-#include "plane/complex/overlay.h"
+#include "plane/base/work_budget.h"
+#include "plane/complex/refinement.h"
 #include "plane/query/summary.h"
 
 namespace findspace::formula {
@@ -24,36 +24,57 @@ using exact::RealPoint;
 using plane::Mark;
 using Kind = LevelChange::Kind;
 
-/// The formula's sign maps, overlaid as often as wanted.
+constexpr std::uint64_t kEdgesAUnit = 8;     // of the overlay, for a region
+constexpr std::uint64_t kEdgeOfRegion = 16;  // units, for what is best in it
+
+plane::Refinement refinement(const PreparedWorld& world, const Formula& formula, plane::WorkBudget& work) {
+  const std::vector<plane::SignMap> maps = sign_maps(world, formula);
+  std::vector<const plane::CellComplex*> operands;
+  for (const plane::SignMap& m : maps) operands.push_back(&m);
+  return {operands, work, kManyDemands};
+}
+
+/// The cells of the overlay of the formula's sign maps. What it does with them is counted as work.
 class Cells {
  public:
-  Cells(const PreparedWorld& world, const Demands& demands) : demands_(demands) {
-    const Formula& formula = demands.formula();
-    maps_.resize(formula.sign_maps().size());
-    plane::parallel_for(maps_.size(), [&](std::size_t k) { maps_[k] = sign_map(world, formula.sign_maps()[k]); });
-  }
+  Cells(const PreparedWorld& world, const Demands& demands, plane::WorkBudget& work)
+      : demands_(demands),
+        work_(work),
+        refinement_(refinement(world, demands.formula(), work)),
+        failing_(demands, met(refinement_, demands)) {}
 
-  /// {p : rule(signs at p)}
-  template <class Rule>
-  plane::Region region(const Rule& rule) const {
-    std::vector<const plane::CellComplex*> operands;
-    for (const plane::SignMap& m : maps_) operands.push_back(&m);
-    if (operands.empty()) return plane::CellComplex::uniform(rule({}) ? 1 : 0);
-    return plane::overlay(operands, [&](std::span<const Mark> signs) { return Mark(rule(signs) ? 1 : 0); });
+  /// What is met in them; distinct.
+  std::set<MetDemands> all() const {
+    const std::vector<MetDemands> all = met(refinement_, demands_);
+    return {all.begin(), all.end()};
   }
-  /// The distinct ones.
-  std::vector<MetDemands> all() const {
-    std::set<MetDemands> distinct;
-    region([&](std::span<const Mark> signs) {
-      distinct.insert(met_at(demands_, signs));
-      return true;
-    });
-    return {distinct.begin(), distinct.end()};
+  /// The positions that the formula has without demand k, of those where its distance minus the level has `sign`; 0:
+  /// any.
+  plane::Region without(std::size_t k, int sign) {
+    work_.charge(1 + refinement_.edge_count() / kEdgesAUnit, kManyDemands);
+    const std::vector<bool> holds = failing_.where([k](std::size_t other) { return other != k; });
+    const std::size_t map = demands_.formula().sign_map_of(k);
+    std::vector<Mark> in(holds.size());
+    for (std::size_t kind = 0; kind < in.size(); ++kind)
+      in[kind] = holds[kind] && (sign == 0 || refinement_.marks(kind)[map] == sign) ? 1 : 0;
+    plane::Region out = refinement_.complex(in);
+    work_.charge(kEdgeOfRegion * out.edges.size(), kManyDemands);
+    return out;
   }
 
  private:
+  /// By cells of each kind.
+  static std::vector<MetDemands> met(const plane::Refinement& refinement, const Demands& demands) {
+    std::vector<MetDemands> out;
+    for (std::size_t kind = 0; kind < refinement.kinds(); ++kind)
+      out.push_back(met_at(demands, refinement.marks(kind)));
+    return out;
+  }
+
   const Demands& demands_;
-  std::vector<plane::SignMap> maps_;
+  plane::WorkBudget& work_;
+  plane::Refinement refinement_;
+  FailingCells failing_;  // of each kind
 };
 
 /// The better value of two, and a bound for the values of both places. Of equal ones the first.
@@ -80,10 +101,7 @@ class PlanarGround : public KnownCells {
  public:
   PlanarGround(Poses poses, const Demands& demands) : KnownCells(demands), poses_(poses) {
     std::set<MetDemands> distinct;
-    for (const auto& pose : poses) {
-      const std::vector<MetDemands> here = cells_.emplace_back(pose->prepared(), demands).all();
-      distinct.insert(here.begin(), here.end());
-    }
+    for (const auto& pose : poses) distinct.merge(cells_.emplace_back(pose->prepared(), demands, work_).all());
     know(distinct);
   }
 
@@ -103,9 +121,9 @@ class PlanarGround : public KnownCells {
   }
 
  private:
-  LevelChange best_at(std::size_t pose, std::size_t k, int sign, Sense sense) const {
+  LevelChange best_at(std::size_t pose, std::size_t k, int sign, Sense sense) {
     const Objective objective{Objective::Kind::kDistance, demands().formula().atoms()[k].distance, false, {}, {}};
-    const Optimum best = exact_optimum(*poses_[pose], without(cells_[pose], k, sign), {objective, sense});
+    const Optimum best = exact_optimum(*poses_[pose], cells_[pose].without(k, sign), {objective, sense});
     LevelChange out = changed(demands(), k, best, best.attained && best.proven());
     if (out.kind == Kind::kTo) out.place = place_in(best.at, pose).value_or(RemainingPlace());
     return out;
@@ -131,12 +149,9 @@ class PlanarGround : public KnownCells {
     const int order = compare(a.to(), b.to());
     return order == 0 ? a.reached && !b.reached : (order > 0) == a.level.maximum();
   }
-  /// The positions that the formula has without demand k, of those where its distance minus the level has `sign`.
-  plane::Region without(const Cells& cells, std::size_t k, int sign) const {
-    return cells.region([&](std::span<const Mark> signs) { return holds_without(demands(), signs, k, sign); });
-  }
 
   Poses poses_;
+  plane::WorkBudget work_ = allowed_work();
   std::vector<Cells> cells_;  // at each pose
 };
 

@@ -69,7 +69,8 @@ class SearchedGround : public Ground {
   Conflict conflict() override {
     bool certain = true;
     for (;;) {
-      Conflict found = find_conflict(demands_, cells_);
+      FailingCells cells(demands_, cells_);
+      Conflict found = find_conflict(cells);
       std::vector<Part> parts(demands_.size(), Part::kMet);
       for (const std::size_t k : found.atoms) parts[k] = Part::kAsked;
       const Tried<bool> there = room(parts);
@@ -288,11 +289,11 @@ class SearchedGround : public Ground {
 
 class BoxGround : public SearchedGround {
  public:
-  BoxGround(const SpaceSolver& solver, const Demands& demands, std::vector<MetDemands> met)
-      : SearchedGround(solver, demands), met_(std::move(met)) {}
+  BoxGround(const SpaceSolver& solver, const Demands& demands, const std::vector<MetDemands>& met)
+      : SearchedGround(solver, demands), met_(demands, met) {}
 
-  Tried<bool> room(const std::optional<AssumedDemand>& assumed) override { return has_room(demands(), met_, assumed); }
-  Conflict conflict() override { return find_conflict(demands(), met_); }
+  Tried<bool> room(const std::optional<AssumedDemand>& assumed) override { return has_room(met_, assumed); }
+  Conflict conflict() override { return find_conflict(met_); }
   LevelChange best(std::size_t k, int sign, Sense sense) override {
     const Formula& formula = demands().formula();
     const BoxComplex set =
@@ -328,7 +329,7 @@ class BoxGround : public SearchedGround {
     return {space::scaled(0.5, space::plus(a, b)), space::scaled(0.5, b - a)};
   }
 
-  std::vector<MetDemands> met_;
+  FailingCells met_;
 };
 
 }  // namespace
@@ -340,7 +341,7 @@ std::unique_ptr<Ground> space_ground(const SpaceSolver& solver, const Demands& d
     if (std::find(cells.begin(), cells.end(), met) == cells.end()) cells.push_back(std::move(met));
     return true;
   });
-  if (whole) return std::make_unique<BoxGround>(solver, demands, std::move(cells));
+  if (whole) return std::make_unique<BoxGround>(solver, demands, cells);
   return std::make_unique<SearchedGround>(solver, demands);
 }
 

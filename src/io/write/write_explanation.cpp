@@ -21,7 +21,6 @@ using Kind = LevelChange::Kind;
 }  // namespace
 
 SaidChange said(const ExplanationReport& r, const LevelChange& change) {
-  const formula::Demands demands(r.formula);
   const formula::Atom& atom = r.formula.atoms()[change.atom];
   const bool minus = formula::negated(atom.distance);
   SaidChange out{formula::written(atom), "", change.level, {}};
@@ -29,7 +28,7 @@ SaidChange said(const ExplanationReport& r, const LevelChange& change) {
   if (minus) out.level.negate();
   out.by = abs(change.to() - atom.level);
   if (change.level.proven() || change.level.answer->side == distance::Side::kInner)
-    out.becomes = formula::written_at(demands, change, r.step);
+    out.becomes = formula::written_at(r.demands, change, r.step);
   return out;
 }
 

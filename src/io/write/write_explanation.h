@@ -27,6 +27,7 @@ struct ExplanationReport {
   std::string unit;
   std::vector<double> degrees = {};  // of the poses that were asked about; empty: as drawn alone
   Sought sought = Sought::kPosition;
+  formula::Demands demands = formula::Demands(formula);
 };
 
 /// A change of a level in the words of the formula's writer.

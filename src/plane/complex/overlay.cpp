@@ -6,10 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
+#include <string_view>
+#include <unordered_map>
 
 #include "plane/base/arena.h"
 #include "plane/complex/arrangement.h"
 #include "plane/complex/face_walk.h"
+#include "plane/complex/refinement.h"
 #include "plane/complex/side_by_side.h"
 #include "plane/complex/simplify.h"
 
@@ -77,10 +81,12 @@ class Labels {
     label_vertices();
   }
 
-  Marks evaluate(const std::function<Mark(std::span<const Mark>)>& rule) const {
+  /// What the rule says of the marks on each face, edge and vertex.
+  template <class Value, class Rule>
+  CellValues<Value> evaluate(const Rule& rule) const {
     auto apply = [&](const std::vector<Mark>& rows, std::size_t count) {
-      std::vector<Mark> out(count);
-      for (std::size_t k = 0; k < count; ++k) out[k] = rule({rows.data() + k * width_, width_});
+      std::vector<Value> out(count);
+      for (std::size_t k = 0; k < count; ++k) out[k] = rule(std::span<const Mark>(rows.data() + k * width_, width_));
       return out;
     };
     return {apply(faces_, a_.face_count), apply(edges_, a_.edge_count()), apply(vertices_, a_.vertex_count())};
@@ -259,7 +265,54 @@ CellComplex overlay(std::span<const CellComplex* const> operands,
   Input in = gather(operands);
   Arena arena(in.pieces.size());
   Arrangement a = arrange(std::move(in.geometry), std::move(in.pieces), in.isolated, arena.memory());
-  return extract(std::move(a), Labels(a, in, operands).evaluate(rule));
+  const auto [faces, edges, vertices] = Labels(a, in, operands).evaluate<Mark>(rule);
+  return extract(std::move(a), {faces, edges, vertices});
+}
+
+Refinement::Refinement(std::span<const CellComplex* const> operands, WorkBudget& work, std::string_view what)
+    : width_(operands.size()), cells_(kHeap) {
+  if (operands.size() == 1) {
+    alone_ = *operands[0];
+    std::set<Mark> marks;
+    for (const Vertex& v : alone_->vertices) marks.insert(v.mark);
+    for (const Edge& e : alone_->edges) marks.insert(e.mark);
+    for (const Face& f : alone_->faces) marks.insert(f.mark);
+    kind_marks_.assign(marks.begin(), marks.end());
+    kinds_ = marks.size();
+    return;
+  }
+  Input in = gather(operands);
+  cells_ = arrange(std::move(in.geometry), std::move(in.pieces), in.isolated);
+  const std::size_t cells = cells_.face_count + cells_.edge_count() + cells_.vertex_count();
+  work.charge(cells * width_ / kMarksAUnit, what);
+  const Labels labels(cells_, in, operands);
+  std::unordered_map<std::string_view, Index> known;
+  kind_ = labels.evaluate<Index>([&](std::span<const Mark> marks) {
+    const std::string_view row(reinterpret_cast<const char*>(marks.data()), marks.size());
+    const auto [at, is_new] = known.emplace(row, Index(known.size()));
+    if (is_new) kind_marks_.insert(kind_marks_.end(), marks.begin(), marks.end());
+    return at->second;
+  });
+  kinds_ = known.size();
+  // What extract() does not read.
+  cells_.pieces.clear();
+  for (auto* list :
+       {&cells_.point_vertex, &cells_.cover_start, &cells_.cover, &cells_.chain_start, &cells_.chain, &cells_.rank})
+    list->clear();
+}
+
+CellComplex Refinement::complex(std::span<const Mark> of_kind) const {
+  if (alone_)
+    return remark(*alone_, [&](Mark m) {
+      return of_kind[std::size_t(std::find(kind_marks_.begin(), kind_marks_.end(), m) - kind_marks_.begin())];
+    });
+  const auto marked = [&](const std::vector<Index>& kinds) {
+    std::vector<Mark> out(kinds.size());
+    for (std::size_t k = 0; k < kinds.size(); ++k) out[k] = of_kind[kinds[k]];
+    return out;
+  };
+  const std::vector<Mark> faces = marked(kind_.faces), edges = marked(kind_.edges), vertices = marked(kind_.vertices);
+  return extract(Arrangement(cells_), {faces, edges, vertices});
 }
 
 Region unite_arranged(std::span<const Region* const> regions) {
