@@ -4,6 +4,7 @@
 #include "formula/explain/failing_cells.h"
 
 #include "plane/base/search_work.h"
+#include "plane/base/stop_check.h"
 
 namespace findspace::formula {
 
@@ -61,6 +62,7 @@ FailingCells::FailingCells(const Demands& demands, const std::vector<MetDemands>
 }
 
 void FailingCells::pay() {
+  if (plane::StopCheck* const check = plane::stop_check()) check->poll();
   work_.charge(looks_ / kLooksAUnit, kManyDemands);
   looks_ %= kLooksAUnit;
 }
