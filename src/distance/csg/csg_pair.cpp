@@ -259,6 +259,10 @@ class CsgBackSide : public PairSide {
   }
   Answer named_protrusion(const CsgPart& part, const RealVector& p, const BoundaryPlace& found) const;
   TriedAnswer searched_protrusion(const RealVector& p) const;
+  /// Whether A lies in B if it protrudes by so much, as surely as numbers tell.
+  bool lies_in(const Answer& most) const {
+    return most.bounds().upper->to_double() <= 4 * margin::kFoundError * side_->size_;
+  }
   BoundaryPlace farthest_out(const BodyPart& part, const space::Vector& p) const;
   TriedAnswer in_round_part(const BodyPart& part, const space::Bounds3& box, const RealVector& p, bool farthest) const;
   TriedAnswer in_round_parts(const RealVector& p, bool farthest) const;
@@ -289,7 +293,11 @@ TriedAnswer CsgBackSide::protrusion(const RealVector& p, Depth depth) const {
   if (side_->a_->walls) return left_walls();
   TriedAnswer most = searched_protrusion(p);
   if (!most || side_->b_->convex() || depth == Depth::kSign || (*most)->value.to_double() > (*most)->error) return most;
-  return fit(p);
+  TriedAnswer inside = fit(p);
+  if (!inside) return inside;
+  const auto least = *inside ? (*inside)->bounds().lower : std::nullopt;
+  const bool out = !*inside || (least && least->sign() > 0);
+  return out ? cut_off(*std::move(most), false) : inside;
 }
 
 /// A set of A protrudes from a convex B by no less than A; where it does so at a place of A, by as much.
@@ -442,14 +450,17 @@ TriedAnswer CsgBackSide::in_round_parts(const RealVector& p, bool farthest) cons
   out.bound = space::rounded(box).farthest(space::rounded(p));
   if (!farthest) {
     TriedAnswer most = searched_protrusion(p);
-    if (!most || (b.convex() && (*most)->value.to_double() <= (*most)->error)) return most;
+    if (!most || (b.convex() && lies_in(**most))) return most;
+    const Enclosure ends = (*most)->bounds();
     if ((*most)->value.to_double() <= (*most)->error) {
       // No way out of the box about B is longer.
       Real deepest = fits->holding[0].value(p);
       for (const space::HalfSpace& h : fits->holding) deepest = std::max(deepest, h.value(p));
-      return between_two(std::min(deepest, *(*most)->bounds().upper), *(*most)->bounds().upper);
+      const Real least = b.convex() ? *ends.lower : std::min(deepest, *ends.upper);
+      if (lies_in(**most)) return between_two(least, *ends.upper);
+      return std::optional(at_least(exact_answer<RealVector>(std::min(least, Real()), Way::kCut)));
     }
-    out.bound = (*most)->bounds().lower->to_double();
+    out.bound = ends.lower->to_double();
   }
   std::vector<Answer> places;
   for (const BodyPart& part : b.parts) {
@@ -482,11 +493,14 @@ TriedAnswer CsgBackSide::fit(const RealVector& p) const {
   const auto outer = nearest_in(fits->holding, p);
   if (!outer) return std::nullopt;
   TriedAnswer v = protrusion(p, Depth::kValue);
-  if (!v || (*v)->value.to_double() <= (*v)->error) return v;
+  if (!v || lies_in(**v)) return v;
+  const bool out_of_b = (*v)->value.to_double() > (*v)->error;
   const auto inner = nearest_in(fits->held, p);
-  if (!inner) return std::optional(at_least(signed_value(p, *outer, 1)));
-  Answer out = between_two(signed_value(p, *outer, 1).value, signed_value(p, *inner, 1).value);
-  out.nearest = inner;
+  Answer least = signed_value(p, *outer, 1);
+  if (!out_of_b && least.value.sign() == 0) least.value = *(*v)->bounds().lower;
+  if (!inner) return std::optional(at_least(std::move(least)));
+  Answer out = between_two(least.value, signed_value(p, *inner, 1).value);
+  if (out_of_b) out.nearest = inner;
   return out;
 }
 
