@@ -165,7 +165,9 @@ Tried<int> sign(const PreparedSpace& prepared, const SignMap& wanted, const std:
   if (ends.lower && level < *ends.lower) return 1;
   if (ends.upper && *ends.upper < level) return -1;
   std::string why = between_ends(prepared, wanted.distance, *v);
-  if (cut_short(ends)) why += "; a longer search, which --work-limit allows, may tell";
+  const Tried<PreparedSpace::Named> pair = prepared.named(wanted.distance);
+  const bool searched = !pair || !pair->pair->between();
+  if (searched && cut_short(ends)) why += "; a longer search, which --work-limit allows, may tell";
   return refused(wanted.distance, why);
 }
 

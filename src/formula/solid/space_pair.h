@@ -35,6 +35,8 @@ class SpacePair {
   std::function<exact::Interval(const space::Vector&)> within(distance::Which which) const;
   /// One of the shapes is a large mesh.
   bool large() const { return surfaces_.has_value(); }
+  /// Values lie between those of bodies, which no longer search brings together.
+  bool between() const { return cut_ && !cut_side_; }
   /// The least value and its positions; nothing where this is not computed.
   exact::Tried<std::optional<distance::BoxMaps::Least>> least(distance::Which which) const;
   /// The least value as far as it is known (solid_least.h), in grid steps; nothing where the distance is undefined.
