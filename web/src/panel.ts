@@ -26,6 +26,12 @@ const endsText = (a: Atom): string => {
   return low === high ? "" : !high ? ` (at least ${low})` : !low ? ` (at most ${high})` : ` (from ${low} to ${high})`;
 };
 
+/// "off by at least 2 mm" where the value has one end only.
+const lacksText = (a: Atom, lacks: number, unit: string): string => {
+  const ends = [a.lower, a.upper].filter((end) => typeof end === "number").length;
+  return `off by ${a.exact === false && ends === 1 ? "at least " : ""}${withUnit(lacks, unit)}`;
+};
+
 /// `picked`: the condition whose own set is shown.
 export function showAtoms(list: Element, atoms: Atom[], unit: string, picked: string, pick: (text: string) => void): void {
   const focused = [...list.querySelectorAll("button")].indexOf(document.activeElement as HTMLButtonElement);
@@ -38,7 +44,7 @@ export function showAtoms(list: Element, atoms: Atom[], unit: string, picked: st
     button.ariaPressed = String(a.text === picked);
     button.onclick = () => pick(a.text === picked ? "" : a.text);
     make("span", row, valueText(a.value, unit) + endsText(a));
-    if (!a.true) make("small", row, a.lacks === undefined ? "does not hold" : `off by ${withUnit(a.lacks, unit)}`);
+    if (!a.true) make("small", row, a.lacks === undefined ? "does not hold" : lacksText(a, a.lacks, unit));
   }
   if (focused >= 0) list.querySelectorAll("button")[focused]?.focus();
 }

@@ -129,4 +129,15 @@ export const lateTests = ({ open, close, scene, example, until, onScreen, pixels
     assert.ok(await page.$eval("#undo", (b) => b.disabled));
     await close(opened);
   },
+  async "a value with one end, and what is missing, are said to be at least"() {
+    const turning = {
+      findspace: 1, unit: "mm", moving: "B", where: "sup eta2(B, A) <= 1",
+      shapes: { A: { box: { min: [-5, -5], max: [5, 5] } }, B: { box: { min: [-1, -1], max: [1, 1] } } },
+      motion: { time: [0, 1], B: { path: [[0, 0], [1, 0]], angles: [0, 30] } },
+    };
+    const opened = await open(scene("turning.json", turning)), { page } = opened;
+    await until(page, () => /\(at least [\d.]+\)/.test(document.getElementById("atoms").textContent));
+    assert.match(await page.$eval("#atoms", (e) => e.textContent), /off by at least [\d.]+ mm/);
+    await close(opened);
+  },
 });
