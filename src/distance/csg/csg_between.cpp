@@ -153,9 +153,15 @@ std::optional<Body> place_inside(const CsgSolid& solid) {
   return std::nullopt;
 }
 
-/// Pairs of bodies in the place of a solid: those of what lies in it and those of what holds it.
+/// Of a body in the place of the solid.
+struct BodyPair {
+  PairDistances pair;
+  bool convex = true;  // else of cells
+};
+
+/// Those of what lies in the solid and those of what holds it.
 struct BodyPairs {
-  std::vector<PairDistances> inside, about;
+  std::vector<BodyPair> inside, about;
   bool moves = true;  // the solid
 };
 
@@ -163,9 +169,10 @@ BodyPairs made_body_pairs(const ReplacedSolid& replaced, const SolidCells& cells
   BodyPairs out;
   out.moves = replaced.moves;
   const CsgSolid& solid = *replaced.solid;
-  const auto add = [&](std::vector<PairDistances>& pairs, Body body) {
+  const auto add = [&](std::vector<BodyPair>& pairs, Body body) {
     body.scale = solid.scale;
-    pairs.push_back(replaced.pair(std::make_shared<const Body>(std::move(body))));
+    const bool convex = body.parts.size() == 1;
+    pairs.push_back({replaced.pair(std::make_shared<const Body>(std::move(body))), convex});
   };
   auto inside = cells.inside();
   if (!inside) inside = place_inside(solid);
@@ -234,19 +241,22 @@ class SideBetween : public PairSide {
 
   /// `grows`: with the solid, else it falls.
   TriedAnswer asked(Which which, const RealVector& p, bool grows) const;
-  exact::Tried<KnownEnd> end(const std::vector<PairDistances>& of, Which which, const RealVector& p, bool upper) const;
+  exact::Tried<KnownEnd> end(const std::vector<BodyPair>& of, Which which, const RealVector& p, bool upper) const;
 
   std::shared_ptr<const Source> source_;
   bool back_;
 };
 
 /// The best of what the pairs tell.
-exact::Tried<KnownEnd> SideBetween::end(const std::vector<PairDistances>& of, Which which, const RealVector& p,
+exact::Tried<KnownEnd> SideBetween::end(const std::vector<BodyPair>& of, Which which, const RealVector& p,
                                         bool upper) const {
+  // How the other one fits into some hundred cells would take many seconds.
+  const bool into_convex = !first() && (which == Which::kEta1 || which == Which::kEta2);
   KnownEnd out;
   std::optional<exact::Refusal> refused;
-  bool told = of.empty();
-  for (const PairDistances& pair : of) {
+  bool told = false;
+  for (const auto& [pair, convex] : of) {
+    if (into_convex && !convex) continue;
     const TriedAnswer v = first() ? pair.try_value(which, p) : pair.try_value(exchanged(which), space::negated(p));
     if (!v) {
       refused = v.refusal();
@@ -265,7 +275,7 @@ exact::Tried<KnownEnd> SideBetween::end(const std::vector<PairDistances>& of, Wh
     const std::optional<Real>& one = upper ? ends.upper : ends.lower;
     if (one && (!out.at || (upper ? *one < *out.at : *out.at < *one))) out.at = one;
   }
-  if (!told) return *refused;
+  if (refused && !told) return *refused;
   return out;
 }
 

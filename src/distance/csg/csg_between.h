@@ -5,8 +5,8 @@
 // too, or a complement), between those of bodies: of cells that lie in the solid, and of what holds it. Every distance
 // of a provider grows or falls with the set, so these enclose the true one. Guarantee: the value lies between the ends,
 // exactly; they are mostly as far apart as a cell is long, an eighth of the solid, farther where the other one has
-// passages as narrow. An end that no body tells is left out. Cost: two to four values of the pairs of bodies. Keywords:
-// inner and outer approximation, octree, monotonicity.
+// passages as narrow. An end that no body tells is left out, and one of a fit into it that only cells would tell. Cost:
+// two to four values of the pairs of bodies. Keywords: inner and outer approximation, octree, monotonicity.
 #pragma once
 
 #include <functional>
