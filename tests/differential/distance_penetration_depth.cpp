@@ -202,12 +202,12 @@ TEST(PenetrationDepth, AtAPositionOfRoundedShapes) {
   EXPECT_EQ(m->value, pair->distance(Which::kGamma1)->value(p)->value);
 }
 
-/// Teeth of a height, with gaps as wide as they are, on a base below y = 0.
-Region comb(int teeth, std::int64_t tooth, std::int64_t height, std::int64_t base) {
-  const std::int64_t width = 2 * teeth * tooth;
+/// Teeth of a height, with gaps, on a base below y = 0.
+Region comb(int teeth, std::int64_t tooth, std::int64_t gap, std::int64_t height, std::int64_t base) {
+  const std::int64_t width = teeth * (tooth + gap);
   std::vector<GridPoint> points{{0, -base}, {width, -base}, {width, 0}};
   for (int k = teeth; k-- > 0;) {
-    const std::int64_t x = 2 * k * tooth;
+    const std::int64_t x = k * (tooth + gap);
     points.insert(points.end(), {{x + tooth, 0}, {x + tooth, height}, {x, height}, {x, 0}});
   }
   points.pop_back();
@@ -226,7 +226,8 @@ class Boxes : public plane::StageObserver {
 
 /// Nowhere does the small comb fit into the large one: as high as the teeth are, boxes can be, but no wider than a gap.
 TEST(PenetrationDepth, CombsNeedFewBoxes) {
-  const Region large = comb(200, 500'000, 60'000'000, 10'000'000), small = comb(200, 150'000, 18'000'000, 3'000'000);
+  const Region large = comb(200, 500'000, 500'000, 60'000'000, 10'000'000),
+               small = comb(200, 150'000, 150'000, 18'000'000, 3'000'000);
   const FeatureTree fixed(large), moving(small);
   const auto way = PenetrationDepth::make(moving, fixed, PenetrationDepth::Of::kContainment);
   ASSERT_TRUE(way);
@@ -236,6 +237,19 @@ TEST(PenetrationDepth, CombsNeedFewBoxes) {
   EXPECT_TRUE(answer.known && !answer.nearest);
   EXPECT_GT(boxes.count, 0u);
   EXPECT_LT(boxes.count, 12'000u);
+}
+
+/// Boxes as narrow as a grid step are not divided across it: the half that is left would be the box again.
+TEST(PenetrationDepth, CombsOfSingleStepsEnd) {
+  const Region large = comb(200, 4, 1, 1000, 1), small = comb(200, 2, 1, 500, 1);
+  const FeatureTree fixed(large), moving(small);
+  const auto way = PenetrationDepth::make(moving, fixed, PenetrationDepth::Of::kContainment);
+  ASSERT_TRUE(way);
+  Boxes boxes;
+  const plane::ObserveStages seen(&boxes);
+  const auto answer = way->nearest({444, -36});
+  EXPECT_TRUE(answer.known && !answer.nearest);
+  EXPECT_LT(boxes.count, 5'000u);
 }
 
 }  // namespace distance_penetration_depth

@@ -270,6 +270,8 @@ bool PenetrationDepth::certainly_holds(const GridBox& w, Patience& patience) con
 }
 
 bool PenetrationDepth::halves_across_x(const GridBox& w, Patience& patience) const {
+  // Across a step or two it would come back as its own half.
+  if (std::min(w.x1 - w.x0, w.y1 - w.y0) <= kSmallest) return is_wide(w);
   const double x = (double(w.x0) + double(w.x1)) / 2, y = (double(w.y0) + double(w.y1)) / 2;
   const bool row = certainly_holds(x, y, {double(w.x1 - w.x0) / 2, 0}, patience);
   const bool column = certainly_holds(x, y, {0, double(w.y1 - w.y0) / 2}, patience);
