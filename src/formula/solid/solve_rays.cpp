@@ -5,6 +5,8 @@
 #include <findspace/error.h>
 
 #include <algorithm>
+#include <functional>
+#include <memory>
 
 #include "distance/rays/ray_directional.h"
 #include "distance/rays/ray_runs.h"
@@ -17,6 +19,7 @@
 #include "formula/solid/faults.h"
 #include "formula/solid/solid_rays.h"
 #include "formula/solid/solve_space.h"
+#include "plane/base/lazy.h"
 #include "space/body/cell_parts.h"
 #include "space/rays/oblique_line.h"
 #include "space/shape/shape_rays.h"
@@ -141,6 +144,8 @@ Tried<space::RaySourcePointer> by_cut(const RayWorld& world, const SignMap& map,
                 "a direction that is not the lines' (--resolution N --axis z takes lines along z alone)");
 }
 
+bool is_protrusion(Kind kind) { return kind == Kind::kMu || kind == Kind::kH || kind == Kind::kHausdorff; }
+
 /// Whether the direction is that of the lines, or the opposite one.
 bool runs_along(const Distance& d, const RayGrid& grid) {
   const RealVector direction = direction_of(d);
@@ -210,12 +215,53 @@ Tried<SurfaceRays> by_sets(const RayWorld& world, const SignMap& map, const Dist
   return SurfaceRays::of(*std::move(cut));
 }
 
+/// Whether each of the shapes has convex parts whose corners are where they belong.
+bool has_parts(const RayWorld& world, const std::vector<std::string>& names) {
+  return std::all_of(names.begin(), names.end(), [&](const std::string& name) {
+    const Tried<const space::Body*> body = world.shapes.at(name).try_body();
+    return body && (*body)->moved == 0;  // no sign: said of exact ones
+  });
+}
+
+/// The rows of a search through surfaces; where that has no answer, of the convex parts of both shapes, if these are
+/// exact: of flat walls that face each other they may be few.
+class SurfacesOrSets : public RaySource {
+ public:
+  using Sets = std::function<Tried<SurfaceRays>()>;
+  SurfacesOrSets(SurfaceRays surfaces, Sets sets, const RayGrid& grid)
+      : surfaces_(std::move(surfaces)), sets_(std::move(sets)), grid_(grid) {}
+  const RayGrid& grid() const override { return grid_; }
+  bool searched() const override { return true; }
+  Tried<RayRow> try_row(int j) const override {
+    Tried<RayRow> row = surfaces_.try_row(j);
+    if (row) return row;
+    const Tried<SurfaceRays>& sets = made_.of(sets_);
+    if (!sets || sets->sources.empty()) return row;
+    Tried<RayRow> other = sets->try_row(j);
+    return other ? std::move(other) : std::move(row);
+  }
+
+ private:
+  SurfaceRays surfaces_;
+  Sets sets_;
+  RayGrid grid_;
+  plane::Lazy<Tried<SurfaceRays>> made_;
+};
+
 Tried<SurfaceRays> parts(const RayWorld& world, const SignMap& map, const RayGrid& grid) {
   Distance d = moving_first(map.distance, world.moving);
   if (d.mode == Mode::kRotation || d.prefix != Extremum::kNone) return no_map(map, "only translations are");
   const bool second = second_is_moving(d, world.moving);
   Tried<SurfaceRays> result = by_surfaces(world, map, d, second, grid);
-  if (!result || !result->sources.empty()) return result;
+  if (!result) return result;
+  if (result->searched() && is_protrusion(d.kind) && !is_directional(d)) {
+    const auto sets = [world, map, d, second, grid]() -> Tried<SurfaceRays> {
+      if (!has_parts(world, d.first) || !has_parts(world, d.second)) return SurfaceRays();
+      return by_sets(world, map, d, second, grid);
+    };
+    return SurfaceRays::of(std::make_unique<SurfacesOrSets>(*std::move(result), sets, grid));
+  }
+  if (!result->sources.empty()) return result;
   if (!is_directional(d) || !runs_along(d, grid)) return by_sets(world, map, d, second, grid);
   Tried<space::RaySourcePointer> along = along_lines(world, map, d, grid);
   if (!along) return along.refusal();
