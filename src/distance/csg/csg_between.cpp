@@ -183,13 +183,6 @@ BodyPairs made_body_pairs(const ReplacedSolid& replaced, const SolidCells& cells
   return out;
 }
 
-BodyPairs made_body_pairs(const std::vector<ReplacedSolid>& solids) {
-  std::vector<SolidCells> cells;
-  for (const ReplacedSolid& one : solids) cells.emplace_back(*one.solid);
-  const std::size_t best = cells.size() > 1 && cells[0].filled() < cells[1].filled() ? 1 : 0;
-  return made_body_pairs(solids[best], cells[best]);
-}
-
 /// What an end of a value is known to be.
 struct KnownEnd {
   std::optional<Real> at;
@@ -215,49 +208,65 @@ Answer answer_between(Enclosure ends) {
 class SideBetween : public PairSide {
  public:
   struct Source {
-    std::vector<ReplacedSolid> solids;
-    plane::Lazy<BodyPairs> pairs{};
+    std::vector<ReplacedSolid> solids;  // two at most
+    plane::Lazy<std::vector<SolidCells>> cells{};
+    std::array<plane::Lazy<BodyPairs>, 2> pairs{};
   };
   SideBetween(std::shared_ptr<const Source> source, bool back) : source_(std::move(source)), back_(back) {}
 
   TriedAnswer gap(const RealVector& p, Depth depth) const override {
-    return asked(depth == Depth::kSign ? Which::kD1 : Which::kGamma1, p, false);
+    return asked(depth == Depth::kSign ? Which::kD1 : Which::kGamma1, p, false, false);
   }
-  TriedAnswer reach(const RealVector& p) const override { return asked(Which::kGamma2, p, true); }
-  TriedAnswer diameter(const RealVector& p) const override { return asked(Which::kDiameter, p, true); }
-  TriedAnswer fit(const RealVector& p) const override { return asked(Which::kEta1, p, first()); }
-  TriedAnswer farthest_fit(const RealVector& p) const override { return asked(Which::kEta2, p, !first()); }
+  TriedAnswer reach(const RealVector& p) const override { return asked(Which::kGamma2, p, true, true); }
+  TriedAnswer diameter(const RealVector& p) const override { return asked(Which::kDiameter, p, true, true); }
+  TriedAnswer fit(const RealVector& p) const override { return asked(Which::kEta1, p, true, false); }
+  TriedAnswer farthest_fit(const RealVector& p) const override { return asked(Which::kEta2, p, false, true); }
   TriedAnswer protrusion(const RealVector& p, Depth depth) const override {
-    return asked(depth == Depth::kSign ? Which::kH : Which::kMu, p, first());
+    return asked(depth == Depth::kSign ? Which::kH : Which::kMu, p, true, false);
   }
-  TriedAnswer clearance(const RealVector& p) const override { return asked(Which::kDstarBack, p, !first()); }
+  TriedAnswer clearance(const RealVector& p) const override { return asked(Which::kDstarBack, p, false, true); }
 
  private:
-  const BodyPairs& pairs() const {
-    return source_->pairs.of([&] { return made_body_pairs(source_->solids); });
-  }
-  /// Whether the solid that is replaced is that which shall lie in the other.
-  bool first() const { return pairs().moves != back_; }
+  /// Of a fit it is, where it can be, the solid that shall lie in the other: how a solid fits into some hundred cells
+  /// would take many seconds.
+  const BodyPairs& pairs(bool of_a_fit) const;
 
-  /// `grows`: with the solid, else it falls.
-  TriedAnswer asked(Which which, const RealVector& p, bool grows) const;
-  exact::Tried<KnownEnd> end(const std::vector<BodyPair>& of, Which which, const RealVector& p, bool upper) const;
+  /// Whether it grows with the solid that is replaced, else it falls: where that shall lie in the other, and where the
+  /// other shall lie in it.
+  TriedAnswer asked(Which which, const RealVector& p, bool grows_within, bool grows_about) const;
+  exact::Tried<KnownEnd> end(const std::vector<BodyPair>& of, Which which, const RealVector& p, bool within,
+                             bool upper) const;
 
   std::shared_ptr<const Source> source_;
   bool back_;
 };
 
+bool is_fit(Which which) { return which == Which::kEta1 || which == Which::kEta2; }
+
+const BodyPairs& SideBetween::pairs(bool of_a_fit) const {
+  const std::vector<ReplacedSolid>& solids = source_->solids;
+  const std::vector<SolidCells>& cells = source_->cells.of([&] {
+    std::vector<SolidCells> made;
+    for (const ReplacedSolid& one : solids) made.emplace_back(*one.solid);
+    return made;
+  });
+  std::size_t k = 0;
+  if (solids.size() > 1) {
+    const bool second = of_a_fit ? solids[1].moves != back_ : cells[0].filled() < cells[1].filled();
+    k = second ? 1 : 0;
+  }
+  return source_->pairs[k].of([&] { return made_body_pairs(solids[k], cells[k]); });
+}
+
 /// The best of what the pairs tell.
-exact::Tried<KnownEnd> SideBetween::end(const std::vector<BodyPair>& of, Which which, const RealVector& p,
+exact::Tried<KnownEnd> SideBetween::end(const std::vector<BodyPair>& of, Which which, const RealVector& p, bool within,
                                         bool upper) const {
-  // How the other one fits into some hundred cells would take many seconds.
-  const bool into_convex = !first() && (which == Which::kEta1 || which == Which::kEta2);
   KnownEnd out;
   std::optional<exact::Refusal> refused;
   bool told = false;
   for (const auto& [pair, convex] : of) {
-    if (into_convex && !convex) continue;
-    const TriedAnswer v = first() ? pair.try_value(which, p) : pair.try_value(exchanged(which), space::negated(p));
+    if (!within && !convex && is_fit(which)) continue;
+    const TriedAnswer v = within ? pair.try_value(which, p) : pair.try_value(exchanged(which), space::negated(p));
     if (!v) {
       refused = v.refusal();
       continue;
@@ -279,9 +288,12 @@ exact::Tried<KnownEnd> SideBetween::end(const std::vector<BodyPair>& of, Which w
   return out;
 }
 
-TriedAnswer SideBetween::asked(Which which, const RealVector& p, bool grows) const {
-  const exact::Tried<KnownEnd> least = end(grows ? pairs().inside : pairs().about, which, p, false);
-  const exact::Tried<KnownEnd> most = end(grows ? pairs().about : pairs().inside, which, p, true);
+TriedAnswer SideBetween::asked(Which which, const RealVector& p, bool grows_within, bool grows_about) const {
+  const BodyPairs& bodies = pairs(is_fit(which));
+  const bool within = bodies.moves != back_;
+  const bool grows = within ? grows_within : grows_about;
+  const exact::Tried<KnownEnd> least = end(grows ? bodies.inside : bodies.about, which, p, within, false);
+  const exact::Tried<KnownEnd> most = end(grows ? bodies.about : bodies.inside, which, p, within, true);
   if (!least && !most) return least.refusal();
   if (most && most->lowest) return std::optional(lowest_answer<RealVector>(Way::kCut));
   Enclosure ends;

@@ -5,8 +5,9 @@
 // too, or a complement), between those of bodies: of cells that lie in the solid, and of what holds it. Every distance
 // of a provider grows or falls with the set, so these enclose the true one. Guarantee: the value lies between the ends,
 // exactly; they are mostly as far apart as a cell is long, an eighth of the solid, farther where the other one has
-// passages as narrow. An end that no body tells is left out, and one of a fit into it that only cells would tell. Cost:
-// two to four values of the pairs of bodies. Keywords: inner and outer approximation, octree, monotonicity.
+// passages as narrow. An end that no body tells is left out; so is one of how something fits into the only solid that
+// can be replaced, if cells alone would tell it. Cost: two to four values of the pairs of bodies. Keywords: inner and
+// outer approximation, octree, monotonicity.
 #pragma once
 
 #include <functional>
@@ -26,7 +27,8 @@ struct ReplacedSolid {
   bool moves = true;  // in what is asked for, too
 };
 
-/// `solids`: of one that can be replaced, or of both: then of that which cells fill better.
+/// `solids`: of one that can be replaced, or of both: then of that which shall fit into the other, or else of that
+/// which cells fill better.
 PairDistances pair_between(std::vector<ReplacedSolid> solids);
 
 }  // namespace findspace::distance
