@@ -29,6 +29,8 @@ REFUSALS = [  # problem, exit status, words of the message or the answer
     ({"strip_height": 4}, 3, "'items' is missing"),
     ({"items": [item()], "strip_height": 1}, 3,
      "part 'a' is higher than the strip: 2 at its lowest allowed angle, and the strip has 1 between its edges"),
+    ({"items": [item()], "strip_height": 1.9999999}, 3,
+     "part 'a' is higher than the strip: 2 at its lowest allowed angle, and the strip has 1.9999999 between its edges"),
     ({"items": [item()], "strip_height": 0}, 3, "no height"),
     ({"items": [item()], "strip_height": 4, "sheets": [PLATE]}, 3, "a problem has one of 'strip_height', 'sheets' and 'box'"),
     ({"items": [item()], "strip_height": 4, "box": True}, 3, "a problem has one of 'strip_height', 'sheets' and 'box'"),

@@ -127,11 +127,13 @@ StatedProblem drawn_problem(const std::vector<std::string>& words, const Options
   return result;
 }
 
-/// Without the line and column of the problem that was made of drawings: nobody wrote that.
+/// Without the line and column of the problem that was made of drawings: nobody wrote that. Names may have brackets.
 Error without_made_place(const Error& e, const std::string& name) {
   std::string place = e.place();
-  const std::size_t from = place.find(fmt::format(" ({}:", name)), to = place.find(')', from);
-  if (from == std::string::npos || to == std::string::npos) return e;
+  const std::string made = fmt::format(" ({}:", name);
+  const std::size_t from = place.find(made),
+                    to = from == std::string::npos ? from : place.find(')', from + made.size());
+  if (to == std::string::npos) return e;
   Error out(e.code(), e.message(), place.erase(from, to + 1 - from));
   for (const auto& [x, y] : e.geometry()) out.at(x, y);
   return out;

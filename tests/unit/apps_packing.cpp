@@ -36,6 +36,15 @@ TEST_F(Program, PacksDrawingsWithCounts) {
 }
 
 /// A drawing that is named twice is one part; an element within another is a hole.
+/// As browsers call what is fetched again.
+TEST_F(Program, FaultsOfADrawingWithBracketsInItsName) {
+  std::ofstream(folder_ / "lid (1).svg")
+      << R"(<svg xmlns="http://www.w3.org/2000/svg"><polygon points="0,0 9,9 9,0 0,9"/></svg>)";
+  const Result r = run("pack 'lid (1).svg' --height 20");
+  EXPECT_EQ(r.status, 3);
+  EXPECT_TRUE(contains(r.err, "item 'lid (1)': ") && contains(r.err, "touches or crosses itself")) << r.err;
+}
+
 TEST_F(Program, PacksOneDrawingNamedTwice) {
   std::ofstream(folder_ / "a.svg") << R"(<svg xmlns="http://www.w3.org/2000/svg"><rect width="8" height="4"/>)"
                                       R"(<rect x="2" y="1" width="4" height="2"/></svg>)";

@@ -61,9 +61,9 @@ bool fits_somewhere(const Problem& problem, const LatticeBox& box) {
       least = least ? std::min(*least, height) : height;
     }
   throw Error(ErrorCode::kBadValue,
-              fmt::format("part '{}' is higher than the strip: {:.6g} at its lowest allowed angle, and the strip has "
-                          "{:.6g} between its edges",
-                          part.name, least->to_double(), (problem.height - problem.edge - problem.edge).to_double()));
+              fmt::format("part '{}' is higher than the strip: {} at its lowest allowed angle, and the strip has "
+                          "{} between its edges",
+                          part.name, least->text(), (problem.height - problem.edge - problem.edge).text()));
 }
 
 /// The rings as a set, from the lowest corner on: the same for parts that are translates of one another.
