@@ -265,7 +265,9 @@ Call CallReader::call(std::string_view word, const Usage& usage, bool is_predica
   result.second = shapes(word);
   result.second_span.end = cursor_.end();
   if (cursor_.accept(K::kComma)) last_argument(result, word, usage, is_predicate);
-  if (cursor_.at(K::kComma) && cursor_.peek(1).kind == K::kName && result.mode_span.end > result.mode_span.begin)
+  const bool another =
+      cursor_.at(K::kComma) && cursor_.peek(1).kind == K::kName && cursor_.peek(2).kind == K::kRelation;
+  if (another && result.mode_span.end > result.mode_span.begin)
     cursor_.fail_syntax("'{}' takes one direction or rotation, not two; join two conditions by 'and'", word);
   if (cursor_.at(K::kComma)) cursor_.fail_syntax("too many arguments; '{}' is written {}", word, usage());
   if (!cursor_.accept(K::kClose)) cursor_.fail_unclosed(open);
