@@ -217,18 +217,19 @@ TEST_F(Program, CheckInSpaceTellsNoneFromNotComputed) {
 }
 
 TEST_F(Program, MeasureTellsUndefinedFromNotComputed) {
-  // A large lens does not fit into a ball. Of two shapes that round ones are cut out of nothing is computed.
+  // A large lens does not fit into a ball. Of two shapes that round ones are cut out of ends are known.
   const std::string lens =
       R"json({"intersection": [{"ball": {"center": [0, 0, 0], "radius": 9}}, {"ball": {"center": [2, 0, 0], "radius": 9}}]})json";
   const auto measure = [&](const std::string& a) {
     const std::string scene = R"json({"findspace": 1, "moving": "B", "where": "true", "shapes": {"A": )json" + a;
-    return json::parse(run("measure scene.json --at 1,0,0 --json", scene + ", \"B\": " + lens + "}}").out);
+    return json::parse(
+        run("measure scene.json --at 1,0,0 --only margin --json", scene + ", \"B\": " + lens + "}}").out);
   };
   const json ball = measure(R"json({"ball": {"center": [0, 0, 0], "radius": 3}})json"), two = measure(lens);
-  EXPECT_TRUE(ball.at("distances").at("eta1(B, A)").is_null() && two.at("distances").at("eta1(B, A)").is_null());
+  EXPECT_TRUE(ball.at("distances").at("eta1(B, A)").is_null() && two.at("distances").at("eta1(B, A)").is_number());
   EXPECT_EQ(ball.at("distances").at("margin(B, A)"), "-inf");
   EXPECT_FALSE(ball.contains("not_computed") && ball.at("not_computed").contains("eta1(B, A)"));
-  EXPECT_FALSE(two.at("not_computed").at("eta1(B, A)").get<std::string>().empty());
+  EXPECT_FALSE(two.contains("not_computed")) << two;
 }
 
 TEST_F(Program, BadInputHasAPlaceAndWritesNothing) {
