@@ -70,6 +70,15 @@ bool drawn_by_members(const AskedScene& asked, const std::string& name) {
 
 namespace {
 
+/// What holds a solid that round ones are cut out of: drawn where the lines of a picture pass beside the solid.
+std::shared_ptr<const space::Body> uncut_body(const space::CsgSolid& cut) {
+  space::Body out;
+  out.scale = cut.scale;
+  for (const space::CsgPart& part : cut.parts)
+    out.parts.insert(out.parts.end(), part.within.begin(), part.within.end());
+  return std::make_shared<const space::Body>(std::move(out));
+}
+
 /// The surface of a solid that round ones are cut out of, as lines give it: in the scene's unit, moved.
 std::shared_ptr<const DrawnSurface> cut_surface(const plane::Shape& shape, double step, const space::Place3& by) {
   constexpr int kLines = 48;
@@ -91,15 +100,17 @@ KeptBodies add_bodies(BodiesPicture& picture, const AskedScene& asked, const for
       const bool moves = std::find(world.moving.begin(), world.moving.end(), name) != world.moving.end();
       if (moves != moving || (!shape.body && !shape.cut) || drawn_by_members(asked, name)) continue;
       BodiesPicture::Drawn drawn{name};
+      std::shared_ptr<const DrawnSurface> surface;
+      if (shape.cut && !shape.surfaces)
+        surface = cut_surface(*asked.scene().shape(name), asked.scene().grid.step_size(),
+                              moving ? *moving_at : space::Place3{});
       if (shape.surfaces) {
         drawn.solids = shape.surfaces.get();  // its convex parts may be many
-      } else if (shape.cut) {
-        const auto surface = cut_surface(*asked.scene().shape(name), asked.scene().grid.step_size(),
-                                         moving ? *moving_at : space::Place3{});
+      } else if (surface && !surface->faces.empty()) {
         drawn.surface = surface.get();
         kept.push_back(surface);
       } else {
-        const std::shared_ptr<const space::Body> body = shape.body.pointer();
+        const std::shared_ptr<const space::Body> body = shape.cut ? uncut_body(*shape.cut) : shape.body.pointer();
         drawn.body = body.get();
         kept.push_back(body);
       }
