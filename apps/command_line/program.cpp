@@ -146,8 +146,8 @@ int program(int argc, char** argv, Team* team) {
 /// pages away and clears new ones.
 void keep_memory() {
 #ifdef __GLIBC__
-  mallopt(M_MMAP_THRESHOLD, 4 << 20);
-  mallopt(M_TRIM_THRESHOLD, 64 << 20);
+  mallopt(M_MMAP_THRESHOLD, 4 << 20);   // NOLINT: there is one thread yet
+  mallopt(M_TRIM_THRESHOLD, 64 << 20);  // NOLINT: the same
 #endif
 }
 

@@ -71,7 +71,8 @@ struct Options {
   /// Of what is random, packings and samples: the same seed brings the same result.
   std::uint64_t seed = 1;
   double work = 0;  // of packings, in million pairs of parts looked at; 0: no limit
-  /// Units that the searches of a question in space may cost, as with `--work-limit`; 0: as many as reading allowed.
+  /// Units that explanations and the searches of a question in space may cost, as with `--work-limit`; 0: as many as
+  /// reading allowed.
   std::uint64_t work_limit = 0;
 };
 
