@@ -161,7 +161,7 @@ seed : int
 work : float
     Of packings, in million pairs of parts looked at; 0: no limit.
 work_limit : int
-    Units that the searches of a question in space may cost, as with ``--work-limit``; 0: as many as reading allowed.
+    Units that explanations and searches in space may cost, as with ``--work-limit``; 0: as many as reading allowed.
 
 Examples
 --------
@@ -183,7 +183,7 @@ Examples
           "The token that ends the question.")
       .def_readwrite("seed", &Options::seed, "Of what is random.")
       .def_readwrite("work", &Options::work, "Of packings, in million pairs of parts looked at; 0: no limit.")
-      .def_readwrite("work_limit", &Options::work_limit, "Units that the searches of a question in space may cost.")
+      .def_readwrite("work_limit", &Options::work_limit, "Units that explanations and searches in space may cost.")
       .def(py::pickle(
           [](const Options& o) {
             return py::make_tuple(o.threads, o.seconds, o.memory, function_of(o), o.seed, o.work, o.work_limit);

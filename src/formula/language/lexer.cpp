@@ -57,6 +57,9 @@ bool is_letter(char32_t c) {
 
 bool is_control(char32_t c) { return c < 0x20 || (c >= 0x7F && c < 0xA0); }
 
+/// A mark that turns the direction of what follows: text is shown in another order than it has.
+bool turns_text(char32_t c) { return (c >= 0x202A && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069); }
+
 /// The length of the name at the start of `text`, 0 if there is none.
 std::size_t name_length(std::string_view text) {
   const auto is_plain = [](char c) { return c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
@@ -296,7 +299,7 @@ std::string printable(std::string_view text) {
     const Character c = decode(text);
     if (c.code == '\t') {
       result += ' ';
-    } else if (c.code == kNotUtf8 || is_control(c.code)) {
+    } else if (c.code == kNotUtf8 || is_control(c.code) || turns_text(c.code)) {
       result += '?';
     } else {
       result += text.substr(0, c.size);

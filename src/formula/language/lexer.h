@@ -97,7 +97,8 @@ std::string quoted_if_needed(std::string_view name);
 
 bool is_utf8(std::string_view text);
 
-/// Text made fit for a message: control characters and bytes that are not UTF-8 become '?'.
+/// Text made fit for a message: control characters, marks that turn its direction and bytes that are not UTF-8 become
+/// '?'.
 std::string printable(std::string_view text);
 
 /// "'a', 'b', 'c'" for a message; of more than eight names the first eight and an ellipsis.
