@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "differential/space_oracle.h"
+#include "space/phi/axis_scan.h"
 #include "space/phi/depth_grid.h"
 #include "space/phi/phi_exact.h"
 #include "space/phi/phi_union.h"
@@ -224,6 +225,43 @@ TEST(PhiLaws, StretchOfALineEndsAtPlanes) {
       EXPECT_NEAR(value(t.from), 0, near);
       EXPECT_NEAR(value(t.to), 0, near);
       EXPECT_LT(value(0.5 * (t.from + t.to)), near);
+    }
+  }
+  EXPECT_GT(met, kRounds);
+}
+
+TEST(PhiLaws, StretchOnAnAxisIsThatOfTheLine) {
+  RandomPolytopes random(29);
+  constexpr double kShallow = 1e-9, kLevel = 0x1p-40;
+  int met = 0;
+  for (int round = 0; round < kRounds; ++round) {
+    const auto [a, b] = random.pair();
+    const PhiFunction phi(a, b);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      std::vector<HeightBlock> blocks;
+      AxisPlanes planes = planes_on_axis(phi.blocks(), axis, kLevel, blocks);
+      planes.blocks = blocks.data();
+      const Vector way{axis == 0 ? 1.0 : 0, axis == 1 ? 1.0 : 0, axis == 2 ? 1.0 : 0};
+      for (int i = 0; i < 10; ++i) {
+        const Vector u = draw(random, phi);
+        const double x = axis == 0 ? u.y : u.x, y = axis == 2 ? u.y : u.z, here = dot(u, way);
+        const LineStretch t = scan_axis(planes, x, y, kShallow);
+        for (const VectorUnit unit : vector_units()) {
+          const LineStretch same = scan_axis_on(unit, planes, x, y, kShallow);
+          ASSERT_EQ(same.from, t.from);
+          ASSERT_EQ(same.to, t.to);
+        }
+        const auto line = [&](double raised) {
+          return scan_line(phi.blocks().data(), phi.blocks().size(), u, way, raised, kLevel);
+        };
+        const LineStretch deep = line(kShallow), whole = line(0);
+        if (!(deep.from < deep.to)) continue;
+        ++met;
+        const double near = 1e-9 * (1 + length(u));
+        EXPECT_NEAR(t.from - here, whole.from, near);
+        EXPECT_NEAR(t.to - here, whole.to, near);
+        EXPECT_GT(t.to - t.from, 2 * kShallow);
+      }
     }
   }
   EXPECT_GT(met, kRounds);

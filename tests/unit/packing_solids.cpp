@@ -93,6 +93,9 @@ TEST(SolidTable, LineThroughAnOverlap) {
   const space::LineStretch along = cubes.stretch({-5, 1, 0}, {1, 0, 0}, 0);
   EXPECT_DOUBLE_EQ(along.from, 3);
   EXPECT_DOUBLE_EQ(along.to, 7);
+  const space::LineStretch down = cubes.stretch({1, 0, 6}, {0, 0, -1}, 0);
+  EXPECT_DOUBLE_EQ(down.from, 4);
+  EXPECT_DOUBLE_EQ(down.to, 8);
   const space::LineStretch beside = cubes.stretch({-5, 2, 0}, {1, 0, 0}, 0);
   EXPECT_FALSE(beside.from < beside.to);
   const space::LineStretch touching = cubes.stretch({-5, 2 - 1e-12, 0}, {1, 0, 0}, 1e-9);

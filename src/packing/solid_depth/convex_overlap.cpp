@@ -184,8 +184,21 @@ space::LineStretch ConvexOverlap::stretch_of_ball(const Vector& u, const Vector&
   return {middle - half, middle + half};
 }
 
+/// No plane is steeper than the axis: what is deeper than `shallow` is more than twice as long.
+space::LineStretch ConvexOverlap::stretch_on_axis(std::size_t axis, const Vector& u, double sense,
+                                                  double shallow) const {
+  const std::array<double, 3> at{u.x, u.y, u.z};
+  const auto [from, to] = space::scan_axis(on_axes[axis], at[axis == 0 ? 1 : 0], at[axis == 2 ? 1 : 2], shallow);
+  if (!(to - from > 2 * shallow)) return {};
+  return sense > 0 ? space::LineStretch{from - at[axis], to - at[axis]}
+                   : space::LineStretch{at[axis] - to, at[axis] - from};
+}
+
 space::LineStretch ConvexOverlap::stretch(const Vector& u, const Vector& way, double shallow) const {
   if (kind == Kind::kBall) return stretch_of_ball(u, way, shallow);
+  if (way.y == 0 && way.z == 0 && std::abs(way.x) == 1) return stretch_on_axis(0, u, way.x, shallow);
+  if (way.z == 0 && way.x == 0 && std::abs(way.y) == 1) return stretch_on_axis(1, u, way.y, shallow);
+  if (way.x == 0 && way.y == 0 && std::abs(way.z) == 1) return stretch_on_axis(2, u, way.z, shallow);
   const space::LineStretch deep = space::scan_line(planes.data(), planes.size(), u, way, shallow, margin::kAlongPlane);
   if (!(deep.from < deep.to)) return deep;
   return space::scan_line(planes.data(), planes.size(), u, way, 0, margin::kAlongPlane);

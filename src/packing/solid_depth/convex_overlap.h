@@ -16,7 +16,7 @@
 
 #include "exact/margins/packing.h"
 #include "packing/solid_problem/solid_problem.h"
-#include "space/phi/plane_scan.h"
+#include "space/phi/axis_scan.h"
 
 namespace findspace::packing {
 
@@ -45,6 +45,7 @@ struct ConvexOverlap {
   enum class Kind { kWithin, kBall, kAbout };
   Vector low, high;  // its box
   std::span<const space::PlaneBlock> planes;
+  std::array<space::AxisPlanes, 3> on_axes;  // kWithin: the same planes
   double radius = 0;  // kBall: in the middle of its box; kAbout: of a ball about the origin that holds what is free
   Kind kind = Kind::kWithin;
 
@@ -53,7 +54,8 @@ struct ConvexOverlap {
   }
   /// 0 where there is none.
   double depth(const Vector& u) const;
-  /// t with u + t way in a convex set, where the line comes deeper than `shallow`; crossed elsewhere.
+  /// t with u + t way in a convex set, where the line comes deeper than `shallow`; crossed elsewhere. Along an axis
+  /// also where it grazes the set on a long way.
   space::LineStretch stretch(const Vector& u, const Vector& way, double shallow) const;
   /// Visits the stretches of t with u + t way in the set, where the line comes deeper than `shallow`: of a convex set
   /// one. Where a line nowhere leaves what is about places, it is the whole line, the best of which is lowest_on().
@@ -96,6 +98,7 @@ struct ConvexOverlap {
   space::Highest highest(const Vector& u) const { return space::scan_planes(planes.data(), planes.size(), u); }
   Vector center() const { return 0.5 * (low + high); }
   double from_ball(const Vector& u) const { return space::length(u - center()) - radius; }
+  space::LineStretch stretch_on_axis(std::size_t axis, const Vector& u, double sense, double shallow) const;
   space::LineStretch stretch_of_ball(const Vector& u, const Vector& way, double shallow) const;
 };
 

@@ -58,8 +58,18 @@ Look look_of(const SolidForm& form) {
 
 void OverlapPair::close() {
   begins_.push_back(blocks_.size());
-  for (std::size_t k = 0; k < overlaps.size(); ++k)
+  for (std::size_t k = 0; k < overlaps.size(); ++k) {
     overlaps[k].planes = std::span(blocks_).subspan(begins_[k], begins_[k + 1] - begins_[k]);
+    if (overlaps[k].kind != ConvexOverlap::Kind::kWithin) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      overlaps[k].on_axes[axis] = space::planes_on_axis(overlaps[k].planes, axis, margin::kAlongPlane, heights_);
+  }
+  const space::HeightBlock* next = heights_.data();
+  for (ConvexOverlap& overlap : overlaps)
+    for (space::AxisPlanes& planes : overlap.on_axes) {
+      planes.blocks = next;
+      next += planes.along + planes.falling + planes.rising;
+    }
 }
 
 double OverlapPair::depth(const Vector& u, double shallow) const {

@@ -49,7 +49,8 @@ class OverlapPair {
   void close();
 
   std::vector<space::PlaneBlock> blocks_;
-  std::vector<std::size_t> begins_;  // of each overlap's planes
+  std::vector<space::HeightBlock> heights_;  // the same along each axis
+  std::vector<std::size_t> begins_;          // of each overlap's planes
 };
 
 /// A part where it stands, relative to the corner within the edges, in the column of containers.
