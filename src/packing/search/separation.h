@@ -61,6 +61,7 @@ struct PlaneKit {
   static constexpr double kApart = 0.005;       // of the length: so much islands that explore may differ
   static constexpr Changes kChanges{2, 3, 2};
   static constexpr int kFirstPasses = 100;  // of a first try to keep conditions
+  static constexpr int kRepairAfter = 20;   // so many passes without progress a linear program tries
 
   static std::size_t part_of(const FieldTable& table, const Pose& pose) { return table.variants()[pose.variant].part; }
   static Vec middle(const FieldTable& table, const Pose& pose) {
@@ -128,7 +129,6 @@ class SeparationOf {
   std::uint64_t extra_work_ = 0;
 };
 
-inline constexpr int kRepairAfter = 20;                  // passes without progress
 inline constexpr double kProgress = 0.98;                // a loss below this times the last counts as progress
 inline constexpr std::uint64_t kWorkOfProgram = 100000;  // pairs that take about as long as a linear program
 
@@ -165,7 +165,7 @@ typename SeparationOf<Kit>::State SeparationOf<Kit>::pass(const Patience& patien
     nearest_ = arrangement_.poses();
   }
   if (++idle_ > patience.passes) return strike(patience);
-  if (idle_ % kRepairAfter == 0 && repair()) return State::kFree;
+  if (idle_ % Kit::kRepairAfter == 0 && repair()) return State::kFree;
   arrangement_.update_weights();
   order_.clear();
   for (std::size_t i = 0; i < arrangement_.size(); ++i)

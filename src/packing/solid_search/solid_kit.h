@@ -18,11 +18,12 @@ struct SolidKit {
   using Mover = SolidMover;
   using LinearMoves = SolidLinearMoves;
 
-  static constexpr double kMostShrink = 0.016;  // of the height
-  static constexpr double kExploration = 0.8;   // of the whole search
-  static constexpr double kApart = 0;           // islands that explore all go on from the best
-  static constexpr Changes kChanges{0, 0, 1};   // the others came out two per cent higher
-  static constexpr int kFirstPasses = 12;       // of a first try to keep conditions: heights may be too low for them
+  static constexpr double kMostShrink = 0.04;  // of the height
+  static constexpr double kExploration = 0.8;  // of the whole search
+  static constexpr double kApart = 0;          // islands that explore all go on from the best
+  static constexpr Changes kChanges{0, 0, 1};  // the others came out two per cent higher
+  static constexpr int kFirstPasses = 12;      // of a first try to keep conditions: heights may be too low for them
+  static constexpr int kRepairAfter = 5;       // it moves solids along contacts, too, and takes as long as half a pass
 
   static std::size_t part_of(const SolidTable& table, const SolidPose& pose) {
     return table.variants()[pose.variant].part;

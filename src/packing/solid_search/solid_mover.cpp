@@ -101,7 +101,8 @@ void SolidMover::improve(std::size_t item) {
     if (kept_[k].cost < best.cost) best = kept_[k];
     if (best.cost <= 0) break;
   }
-  for (int k = 0; k < kMostSlides && best.cost > 0 && slide(item, best); ++k) descend(item, best);
+  if (!(best.cost < now.cost))
+    for (int k = 0; k < kMostSlides && best.cost > 0 && slide(item, best); ++k) descend(item, best);
   if (best.cost < now.cost) a_.move(item, best.pose);
 }
 

@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // A better position for one solid: some positions all over the container and about the solid at random. The best of
-// them go along the axes, to the best place of each line, until no axis gains; then along the directions in which the
-// solid slides on what it touches, or leaves what it overlaps. Guarantee: the cost never rises; each line is searched
-// exactly. Keywords: line search, local search, configuration space.
+// them go along the axes, to the best place of each line, until no axis gains. Where none of that gained, along the
+// directions in which the solid slides on what it touches, or leaves what it overlaps. Guarantee: the cost never rises;
+// each line is searched exactly. Keywords: line search, local search, configuration space.
 #pragma once
 
 #include <array>
