@@ -3,10 +3,9 @@
 #include "formula/language/parse.h"
 
 #include <algorithm>
-#include <map>
-#include <tuple>
 #include <utility>
 
+#include "formula/language/condition_work.h"
 #include "formula/language/evaluate.h"
 #include "formula/language/parse_call.h"
 #include "formula/language/parse_number.h"
@@ -331,15 +330,9 @@ void read_distances(Cursor& cursor, const Context& context, Objective& objective
 
 }  // namespace
 
-/// A cell of a map of many levels of one distance is asked for all of them, so the n-th that differs costs n units of
-/// work. Distances of other shapes are told apart sooner: obstacles may be very many.
 Formula parse_formula(std::string_view text, const Context& context) {
-  using Names = std::vector<std::string>;
   Formula formula = Grammar(text, context).formula();
-  std::map<std::tuple<Kind, const Names&, const Names&>, std::uint64_t> levels;
-  plane::WorkBudget work(context.work_limit);
-  for (const auto& [distance, level, minimum, more] : formula.sign_maps())
-    work.charge(++levels[{distance.kind, distance.first, distance.second}], "a formula with so many conditions");
+  charge_conditions(formula, context.work_limit);
   return formula;
 }
 

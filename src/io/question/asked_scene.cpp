@@ -8,6 +8,7 @@
 
 #include <set>
 
+#include "formula/language/condition_work.h"
 #include "io/scene/scene_formulas.h"
 #include "io/scene/scene_regions.h"
 
@@ -114,7 +115,13 @@ formula::Formula AskedScene::read_where() const {
   if (scene_->conditions.empty()) return formula(scene_->where, known);
   std::vector<formula::Formula> all;
   for (const FormulaText& text : scene_->conditions) all.push_back(formula(text, known));
-  return formula::conjunction(all);
+  formula::Formula joined = formula::conjunction(all);
+  try {
+    formula::charge_conditions(joined, known.work_limit);
+  } catch (const Error& e) {
+    throw placed(e, scene_->where);
+  }
+  return joined;
 }
 
 std::optional<AskedScene::Goal> AskedScene::goal() const {
