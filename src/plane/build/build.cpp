@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <set>
 #include <span>
 #include <unordered_map>
@@ -63,10 +64,20 @@ exact::Real longest_number(const Region& r) {
   return longest;
 }
 
-/// What can have more edges than its operands, and reach farther.
-bool is_construction(Kind kind) {
-  return kind == Kind::kMinkowskiSum || kind == Kind::kMinkowskiDifference || kind == Kind::kOffset;
+/// Edges, and points by themselves.
+std::uint64_t parts(const Region& r) {
+  const auto more = [](std::uint64_t sum, const Face& f) { return sum + f.isolated.size(); };
+  return std::accumulate(r.faces.begin(), r.faces.end(), std::uint64_t(r.edges.size()), more);
 }
+
+bool has_arcs(const Region& r) {
+  return std::any_of(r.edges.begin(), r.edges.end(), [](const Edge& e) { return e.half != 0; });
+}
+
+bool is_sum(Kind kind) { return kind == Kind::kMinkowskiSum || kind == Kind::kMinkowskiDifference; }
+
+/// What can have more edges than its operands, and reach farther.
+bool is_construction(Kind kind) { return is_sum(kind) || kind == Kind::kOffset; }
 
 void check_reach(const Region& made) {
   if (!is_within(made, margin::kFarthestVertex))
@@ -129,8 +140,8 @@ class Builder {
   RegionPtr region(const Shape& shape) {
     if (auto known = built_.find(&shape); known != built_.end()) return known->second;
     auto made = std::make_shared<const Region>(make(shape));
-    if (is_construction(shape.kind)) work_.charge(kCell * made->edges.size(), "a construction of so many edges");
-    if (has_copy(shape)) work_.charge(kCopied * made->edges.size(), "a shape of so many copied edges");
+    if (is_construction(shape.kind)) work_.charge(kCell * parts(*made), "a construction of so many edges");
+    if (has_copy(shape)) work_.charge(kCopied * parts(*made), "a shape of so many copied edges");
     return built_[&shape] = std::move(made);
   }
 
@@ -335,22 +346,26 @@ class Builder {
   /// both: deciding about the longest ones may take as many bits as these have together.
   void charge_pairs(const Shape& s) {
     const RegionPtr a = child(s, 0), b = child(s, 1);
-    work_.charge(kPair * a->edges.size() * b->edges.size(), "a Minkowski sum or difference of so many edges");
+    work_.charge(kPair * parts(*a) * parts(*b), "a Minkowski sum or difference of so many edges");
     const double units = exact::sign_bits(longest_number(*a) + longest_number(*b)) / kBitsOfSign;
     work_.charge(std::uint64_t(std::min(units, 1e18)), "a Minkowski sum or difference of sums with so many roots");
+    if (offsets(s).depth > 0) charge_levels(s, a->edges.size() + b->edges.size(), "a sum of sums of so many arcs");
   }
 
   /// Numbers of an offset of an offset are sums of roots: each level about triples what it costs to decide about them.
   /// A boundary between two offsets counts as a level, as curves of both its sides meet. An offset above such a
   /// boundary counts twice if its amount is not used below it: what moves there and back is not where it was.
   void charge_offset(const Shape& s) {
-    constexpr std::uint64_t kDeepest = 24, kEachLevel = 3;
-    std::uint64_t units = child(s, 0)->edges.size() + 1;
-    for (std::uint64_t k = std::min(offsets(s).depth, kDeepest); k > 0; --k) units *= kEachLevel;
-    work_.charge(units, "an offset of offsets of so many edges");
+    charge_levels(s, child(s, 0)->edges.size() + 1, "an offset of offsets of so many edges");
   }
 
-  /// The offsets that a shape is made of.
+  void charge_levels(const Shape& s, std::uint64_t edges, std::string_view what) {
+    constexpr std::uint64_t kDeepest = 24, kEachLevel = 3;
+    for (std::uint64_t k = std::min(offsets(s).depth, kDeepest); k > 0; --k) edges *= kEachLevel;
+    work_.charge(edges, what);
+  }
+
+  /// The offsets that a shape is made of. A sum with what has arcs is one.
   struct Offsets {
     std::uint64_t depth = 0;
     bool of_boundary = false;  // of one of them
@@ -374,6 +389,7 @@ class Builder {
       const bool fresh = out.amounts.insert(abs(s.amount)).second;
       out.depth += fresh && out.of_boundary ? 2 : 1;
     }
+    if (is_sum(s.kind) && (has_arcs(*child(s, 0)) || has_arcs(*child(s, 1)))) ++out.depth;
     return offsets_[&s] = std::move(out);
   }
 
