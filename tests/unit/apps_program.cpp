@@ -103,6 +103,17 @@ TEST_F(Program, HelpHasPages) {
   EXPECT_TRUE(contains(run("help support --markdown").out, "# The support table"));
 }
 
+TEST_F(Program, PicturesNameAllMembersOfAList) {
+  const std::string scene = R"json({"findspace": 1, "shapes": {"post": {"box": {"min": [5, 0], "max": [6, 1]}},
+    "posts": ["post", {"translate": [4, 0], "of": "post"}, {"translate": [8, 0], "of": "post"}],
+    "B": {"box": {"min": [-1, -1], "max": [1, 1]}}}, "moving": "B", "where": "gap(B, posts) >= 1"})json";
+  EXPECT_EQ(run("map scene.json -o x.svg", scene).status, 0);
+  const std::string picture = read("x.svg");
+  EXPECT_TRUE(contains(picture, ">post<"));
+  EXPECT_TRUE(contains(picture, ">posts<"));
+  EXPECT_EQ(picture.find(">posts<"), picture.rfind(">posts<"));
+}
+
 TEST_F(Program, PicturesOfAPositionHaveItsDistances) {
   EXPECT_EQ(run("check scene.json --at 12,3 -o c.svg").status, 1);
   const std::string apart = read("c.svg");

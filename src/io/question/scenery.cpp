@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <set>
+#include <utility>
 
 #include "io/question/motion_arrows.h"
 
@@ -38,7 +39,7 @@ void add_scenery(const AskedScene& asked, Picture& picture, const formula::World
     if (named_only) return named.count(part) > 0;
     return has_name(part) && (named.empty() || named.count(part) > 0) && world.shapes.count(part) > 0;
   };
-  // The parts of a collection carry their own names; one whose parts have none carries its own.
+  // The parts of a collection carry their own names; the first that has none carries the collection's.
   const auto all_of = [&](const std::string& name) {
     const auto parts = world.parts.find(name);
     const bool by_parts =
@@ -47,10 +48,11 @@ void add_scenery(const AskedScene& asked, Picture& picture, const formula::World
     if (board != nullptr && name == "board") return picture.fixed.push_back({"", &*world.shapes.at(name)});
     if (parts == world.parts.end() || (!named_only && !by_parts))
       return picture.fixed.push_back({name, &*world.shapes.at(name)});
+    std::string others = board != nullptr ? "" : name;
     for (const auto& [part, region] : parts->second) {
       if (is_drawn_itself(part)) continue;
       const bool shown = board != nullptr ? has_own_name(board, part) : has_name(part);
-      picture.fixed.push_back({shown ? part : "", &region, is_behind(board, part)});
+      picture.fixed.push_back({shown ? part : std::exchange(others, ""), &region, is_behind(board, part)});
     }
   };
   // The names of a board's pads are said where the formula speaks of them.
