@@ -32,7 +32,8 @@ STRANGE = "no such shape, I hope"
 FILE = r"(<svg> \()?\S+\.(svg|dxf|wkt|geojson|json|stl|obj|off|ply|3mf|asc|xyz)\b"
 REASONS = {
     "curves and solids that are none": r"\"min\" of a box|the ring (has no|touches)|hole \d+ (is|touches)|near .* curves "
-                                       r"meet|the mesh is not closed|in the mesh|a shell of the mesh|"
+                                       r"meet|the mesh is not closed|in the mesh|a shell of the mesh|a face of \d+ "
+                                       r"corners is not flat|"
                                        r"the floor must lie|a row of \d+ heights|no square of the height field|columns \d+ and",
     "an orientation that is none, or in the plane": r"the matrix mirrors|rows? \d|a quaternion of a rotation|"
                                                     r"an orientation is for 3D",

@@ -94,8 +94,19 @@ bool is_flat(const Mesh& mesh, const std::vector<int>& face) {
                      [&](int v) { return exact::dot(n, mesh.vertices[v] - mesh.vertices[face[0]]) == 0; });
 }
 
+/// The triangles of a face that is not flat, as it looks along its normal.
+std::vector<std::array<int, 3>> triangles_of(const Mesh& mesh, const std::vector<int>& face, double step) {
+  try {
+    return triangulate(projected(mesh, face, exact::primitive(area_vector(mesh, face))), StraightCorner::kKeep);
+  } catch (const Error& e) {
+    const std::array begin{mesh.vertices[face[0]], mesh.vertices[face[1]], mesh.vertices[face[2]]};
+    throw Error(e.code(), fmt::format("a face of {} corners is not flat and crosses itself: it begins {}", face.size(),
+                                      places_text(begin, step)));
+  }
+}
+
 /// Faces that are not flat are cut into triangles.
-void flatten(Mesh& mesh, std::vector<std::string>& notes) {
+void flatten(Mesh& mesh, double step, std::vector<std::string>& notes) {
   if (std::all_of(mesh.faces.begin(), mesh.faces.end(), [&](const auto& face) { return is_flat(mesh, face); })) return;
   std::vector<std::vector<int>> flat;
   int bent = 0;
@@ -105,10 +116,7 @@ void flatten(Mesh& mesh, std::vector<std::string>& notes) {
       continue;
     }
     ++bent;
-    const Wide3 n = exact::primitive(area_vector(mesh, face));
-    for (const auto& [a, b, c] : triangulate(projected(mesh, face, n), StraightCorner::kKeep)) {
-      flat.push_back({face[a], face[b], face[c]});
-    }
+    for (const auto& [a, b, c] : triangles_of(mesh, face, step)) flat.push_back({face[a], face[b], face[c]});
   }
   notes.push_back(bent == 1 ? "1 face is not flat and was cut into triangles"
                             : fmt::format("{} faces are not flat and were cut into triangles", bent));
@@ -260,12 +268,12 @@ std::vector<std::string> clean(Mesh& mesh, double step, const MeshRepair& how) {
   weld(mesh, notes);
   if (mesh.faces.empty()) throw Error(ErrorCode::kGeometry, "the mesh has no faces");
   drop_empty_faces(mesh, notes);
-  flatten(mesh, notes);
+  flatten(mesh, step, notes);
   split_edges(mesh, notes);
   if (how.asked()) {
     repair(mesh, how, step, notes);
     drop_empty_faces(mesh, notes);
-    flatten(mesh, notes);
+    flatten(mesh, step, notes);
     split_edges(mesh, notes);
   }
   orient(mesh, step, notes);
