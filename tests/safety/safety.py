@@ -129,6 +129,12 @@ class Reading(SafetyTest):
         result = self.expect(3, "2 faces stand twice", "describe", self.of_file("a.obj"))
         self.assertIn("3 faces, 2 of one sense and 1 of the other", result.err)
 
+    def test_twisted_face(self):
+        corners = "v 20 0 0\nv 30 1 1\nv 20 1 2\nv 30 0 3\nv 25 7 1\nv 22 -3 2\n"
+        self.file("a.obj", TETRAHEDRON + corners + "f 5 6 7 8 9 10\n")
+        self.expect(3, "a face of 6 corners is not flat and crosses itself: it begins (20, 0, 0)", "describe",
+                    self.of_file("a.obj"))
+
     def test_what_a_file_is_instead(self):
         for name, content, says in (("a.svg", b"\x1f\x8b\x08rest", "gzip has compressed it"), ("a.dxf", b"AC1032rest", "DWG drawing"),
                                     ("a.svg", b"%PDF-1.7 rest", "PDF file"), ("a.obj", b"<html>rest", "a page of the web"),
@@ -270,6 +276,33 @@ class Costs(SafetyTest):
             shapes["S%d" % (i + 1)] = {"minkowski_sum": ["S%d" % i] * 2}
         self.scene(shapes)
         self.refused("describe", "scene.json", "S24")
+
+    def test_sums_of_points(self):
+        shapes = {"S0": {"points": [[0, 0], [1, 0]]}}
+        for i in range(30):
+            shapes["S%d" % (i + 1)] = {"minkowski_sum": ["S%d" % i, {"points": [[0, 0], [2 << i, 0]]}]}
+        self.scene(shapes)
+        self.refused("describe", "scene.json", "S30")
+
+    def test_sums_of_sums_in_space(self):
+        shapes = {"S0": {"polytope": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]}}
+        for i in range(10):
+            below = "S%d" % i
+            shapes["S%d" % (i + 1)] = {"minkowski_sum": [below, {"rotate": 10 + i, "axis": [1, 2, i], "of": below}]}
+        self.scene(shapes)
+        self.refused("describe", "scene.json", "S10")
+
+    def test_sums_of_what_has_arcs(self):
+        shape = {"polygon": [[0, 0], [5, 0], [5, 1]]}
+        for _ in range(60):
+            shape = {"minkowski_sum": [{"boundary": shape}, {"disc": {"center": [0, 0], "radius": 0.05}}]}
+        self.scene({"S": shape})
+        self.refused("describe", "scene.json")
+
+    def test_conditions_in_a_list(self):
+        self.scene({"A": {"polygon": SQUARE}, "B": {"polygon": SQUARE}}, moving="B",
+                   where=["gap(B, A) >= %d / 1000" % i for i in range(50000)])
+        self.refused("map", "scene.json")
 
     def test_unions_of_unions(self):
         shapes = {"S0": {"polygon": [[0, 0], [5, 0], [5, 1], [1, 1], [1, 4], [0, 4]]}}

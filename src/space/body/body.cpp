@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "exact/margins/rounding.h"
@@ -92,8 +93,14 @@ Tried<Body> children_in_one(const plane::Shape& shape) {
   return sum;
 }
 
-Tried<Body> sum_of(const Body& a, const Body& b) {
+double corners_of(const Body& body) {
+  const auto more = [](double sum, const BodyPart& part) { return sum + double(part.vertices().size()); };
+  return std::accumulate(body.parts.begin(), body.parts.end(), 0.0, more);
+}
+
+Tried<Body> sum_of(const plane::Shape& sum, const Body& a, const Body& b) {
   if (a.outside || b.outside) return Refusal("a Minkowski sum with a complement is not computed in 3D");
+  require_few_corners(sum, corners_of(a) * corners_of(b), double(a.parts.size()) * double(b.parts.size()));
   return minkowski_sum(a, b);
 }
 
@@ -105,7 +112,7 @@ Tried<Body> changed(const plane::Shape& shape, Body body) {
       const Tried<Body> b = try_body(*shape.children[1]);
       if (!b) return b;
       if (shape.kind == Kind::kMinkowskiDifference && may_lack_walls(*shape.children[0])) return walls_are_lacking();
-      return shape.kind == Kind::kMinkowskiSum ? sum_of(body, *b) : eroded(body, *b);
+      return shape.kind == Kind::kMinkowskiSum ? sum_of(shape, body, *b) : eroded(body, *b);
     }
     case Kind::kComplement:
       if (may_lack_walls(*shape.children[0])) return walls_are_lacking();

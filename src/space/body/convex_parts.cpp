@@ -164,13 +164,19 @@ ConvexParts hull_of(ConvexParts parts) {
   return parts;
 }
 
+double corners_of(const std::vector<Polytope>& parts) {
+  const auto more = [](double sum, const Polytope& part) { return sum + double(part.vertices().size()); };
+  return std::accumulate(parts.begin(), parts.end(), 0.0, more);
+}
+
 /// A sum of unions is the union of the sums of their parts.
-Tried<ConvexParts> sum_of(const plane::Shape& a, const plane::Shape& b) {
-  Tried<ConvexParts> first = made(a);
+Tried<ConvexParts> sum_of(const plane::Shape& sum) {
+  Tried<ConvexParts> first = made(*sum.children[0]);
   if (!first) return first;
-  Tried<ConvexParts> second = made(b);
+  Tried<ConvexParts> second = made(*sum.children[1]);
   if (!second) return second;
   ConvexParts &p = *first, &q = *second;
+  require_few_corners(sum, corners_of(p.parts) * corners_of(q.parts), double(p.parts.size()) * double(q.parts.size()));
   ConvexParts result;
   result.scale = put_together(p, q);
   result.rounded = p.rounded + q.rounded;
@@ -373,7 +379,7 @@ Tried<ConvexParts> node_parts(const plane::Shape& shape) {
     case Kind::kHull:
       return changed(all_children(shape), hull_of);
     case Kind::kMinkowskiSum:
-      return sum_of(*shape.children[0], *shape.children[1]);
+      return sum_of(shape);
     case Kind::kMinkowskiDifference:
       return difference_of(shape);
     case Kind::kMirror:

@@ -5,7 +5,9 @@
 #include <findspace/error.h>
 
 #include <algorithm>
+#include <string>
 
+#include "plane/base/search_work.h"
 #include "space/body/cell_parts.h"
 #include "space/body/outside_cells.h"
 #include "space/body/union_frontier.h"
@@ -211,5 +213,16 @@ Tried<Body> eroded(const Body& a, const Body& b, std::span<const Body> lacking) 
 }
 
 Body ball(const Real& radius) { return of_part({std::nullopt, {}, radius, {}}); }
+
+/// The first corners of each pair are paid with the pair, which who reads the scene charges.
+void require_few_corners(const plane::Shape& sum, double corners, double pairs) {
+  constexpr double kCorner = 4, kPaidWithPair = 64;
+  const long most = plane::allowed(plane::kUsualWorkBudget);
+  if (kCorner * (corners - kPaidWithPair * pairs) <= double(most)) return;
+  throw Error(ErrorCode::kLimit,
+              "a Minkowski sum of so many corners costs more than the work limit of " + std::to_string(most) +
+                  " units, which --work-limit raises",
+              sum.place.empty() ? sum.name : sum.place);
+}
 
 }  // namespace findspace::space

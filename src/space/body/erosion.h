@@ -36,4 +36,8 @@ exact::Tried<Body> eroded(const Body& a, const Body& b, std::span<const Body> la
 /// A ball about the origin, in grid steps.
 Body ball(const exact::Real& radius);
 
+/// A sum moves every corner of one operand by every corner of the other, and seeks the hulls of all these `corners`, in
+/// so many `pairs` of parts. Throws Error(kLimit) where they are too many: a few levels of sums of sums are.
+void require_few_corners(const plane::Shape& sum, double corners, double pairs);
+
 }  // namespace findspace::space
