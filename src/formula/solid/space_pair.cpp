@@ -23,7 +23,6 @@ using exact::Refusal;
 using exact::Tried;
 using space::Body;
 using space::BoxComplex;
-using space::Mark;
 using space::RealVector;
 
 namespace {
@@ -35,9 +34,7 @@ std::optional<BoxComplex> united_boxes(const std::vector<SpaceShape>& shapes) {
     if (!s.boxes) return std::nullopt;
     sets.push_back(&*s.boxes);
   }
-  return closure(overlay(sets, [](std::span<const Mark> m) {
-    return Mark(std::any_of(m.begin(), m.end(), [](Mark x) { return x != 0; }));
-  }));
+  return sets.size() == 1 ? closure(*sets[0]) : closure(united(sets));
 }
 
 /// The union as a body; `boxes`: the same set as boxes, where it is made of them.

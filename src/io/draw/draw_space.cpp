@@ -39,7 +39,8 @@ struct Polygon {
 /// What a set gives to draw, in the scene's unit.
 class Parts {
  public:
-  Parts(const BoxComplex& set, const exact::Real& step) : set_(set), solid_(closure(interior(set))), step_(step) {}
+  Parts(const BoxComplex& set, const exact::Real& step)
+      : set_(set), solid_(closure(interior(set))), boundary_(boundary(set)), step_(step) {}
 
   /// Faces between a solid cell and an empty one, and sheets.
   void add_faces(std::vector<Polygon>& out) const {
@@ -89,14 +90,10 @@ class Parts {
   }
 
  private:
+  /// What is drawn are cells of the boundary.
   template <class Visit>
   void each(Visit visit) const {
-    CellIndex c{};
-    for (c[2] = 0; c[2] < set_.cells(2); ++c[2]) {
-      for (c[1] = 0; c[1] < set_.cells(1); ++c[1]) {
-        for (c[0] = 0; c[0] < set_.cells(0); ++c[0]) visit(c);
-      }
-    }
+    boundary_.in().each([&](int x, int y, int z) { visit(CellIndex{x, y, z}); });
   }
   bool in(const CellIndex& c) const { return set_.mark(c[0], c[1], c[2]) != 0; }
   bool bounded(const CellIndex& c) const {
@@ -162,7 +159,7 @@ class Parts {
   }
 
   const BoxComplex& set_;
-  BoxComplex solid_;
+  BoxComplex solid_, boundary_;
   const exact::Real& step_;
 };
 

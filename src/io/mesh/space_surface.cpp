@@ -22,11 +22,9 @@ class BoxSurface {
   BoxSurface(const space::BoxComplex& solid, const Real& step) : solid_(solid), step_(step) {}
 
   Surface take() && {
-    Cell c{};
-    for (c[2] = 0; c[2] < solid_.cells(2); ++c[2])
-      for (c[1] = 0; c[1] < solid_.cells(1); ++c[1])
-        for (c[0] = 0; c[0] < solid_.cells(0); ++c[0])
-          for (std::size_t k = 0; k < 3; ++k) add_face(c, k);
+    boundary(solid_).in().each([&](int x, int y, int z) {
+      for (std::size_t k = 0; k < 3; ++k) add_face({x, y, z}, k);
+    });
     return std::move(surface_);
   }
 

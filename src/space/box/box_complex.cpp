@@ -20,15 +20,15 @@ BoxComplex::BoxComplex(Axes at, Mark mark) : at_(std::move(at)) {
   too_fine_ = count > static_cast<double>(kMostCells);
   if (too_fine_) {
     at_ = {};
-    count = 1;
     mark = 0;
   }
-  marks_.assign(static_cast<std::size_t>(count), mark);
+  in_ = CellBits(cell_counts());
+  if (mark != 0) in_.turn();
+  if (mark < 0) negative_ = in_;
 }
 
-BoxComplex::BoxComplex(Axes at, std::vector<Mark> marks) : at_(std::move(at)), marks_(std::move(marks)) {
-  assert(marks_.size() ==
-         static_cast<std::size_t>(cells(0)) * static_cast<std::size_t>(cells(1)) * static_cast<std::size_t>(cells(2)));
+BoxComplex::BoxComplex(Axes at, CellBits in) : at_(std::move(at)), in_(std::move(in)) {
+  assert(in_.cells(0) == cells(0) && in_.cells(1) == cells(1) && in_.cells(2) == cells(2));
 }
 
 BoxComplex BoxComplex::without_cells() {
@@ -71,63 +71,161 @@ std::array<int, 2> BoxComplex::range(int k, const Interval& i) const {
 
 Mark BoxComplex::mark(const RealVector& p) const { return mark(cell_of(0, p[0]), cell_of(1, p[1]), cell_of(2, p[2])); }
 
-void BoxComplex::paint(const IntervalBox& box, Mark mark) {
-  const auto x = range(0, box[0]), y = range(1, box[1]), z = range(2, box[2]);
+int BoxComplex::run_end(int x, int y, int z) const {
+  const ConstBitRow row = in_.row(y, z);
+  const bool marked = bit(row, x);
+  const int end = next_bit(row, x, cells(0), !marked);
+  if (!marked || !has_negative()) return end;
+  const ConstBitRow below = negative_.row(y, z);
+  return next_bit(below, x, end, !bit(below, x));
+}
+
+void BoxComplex::mark_run(int y, int z, int from, int to, Mark mark) {
+  assert(mark >= -1 && mark <= 1);
+  in_.fill(y, z, from, to, mark != 0);
+  if (mark < 0 && !has_negative()) negative_ = CellBits(cell_counts());
+  if (has_negative()) negative_.fill(y, z, from, to, mark < 0);
+}
+
+void BoxComplex::repeat_row(int y, int z) {
+  const auto repeat = [&](CellBits& bits) {
+    const BitRow before = bits.row(y - 1, z);
+    std::copy(before.begin(), before.end(), bits.row(y, z).begin());
+  };
+  repeat(in_);
+  if (has_negative()) repeat(negative_);
+}
+
+void BoxComplex::paint(const CellRange& cells, Mark mark) {
+  const auto& [x, y, z] = cells;
   if (x[1] < x[0]) return;
   for (int k = z[0]; k <= z[1]; ++k) {
-    for (int j = y[0]; j <= y[1]; ++j) {
-      const auto first = marks_.begin() + static_cast<std::ptrdiff_t>(index(x[0], j, k));
-      std::fill(first, first + (x[1] - x[0] + 1), mark);
-    }
+    for (int j = y[0]; j <= y[1]; ++j) mark_run(j, k, x[0], x[1] + 1, mark);
   }
 }
 
-/// A coordinate goes where the slabs on both its sides and itself agree.
+void BoxComplex::paint(const IntervalBox& box, Mark mark) {
+  paint(CellRange{range(0, box[0]), range(1, box[1]), range(2, box[2])}, mark);
+}
+
+namespace {
+
+/// The bits in which a word of a row differs from those one place to the left of them.
+std::uint64_t changes(ConstBitRow row, std::size_t word) {
+  const std::uint64_t before = word == 0 ? row[0] & 1 : row[word - 1] >> (kWordBits - 1);
+  return row[word] ^ (row[word] << 1 | before);
+}
+
+/// Of a cell along an axis and the one before it the odd one.
+std::size_t odd_of(int cell) { return static_cast<std::size_t>(cell % 2 == 0 ? cell - 1 : cell); }
+
+/// Into `needed`: the odd cells along the axes where those beside them have other bits.
+void add_needed(const CellBits& bits, std::array<std::vector<char>, 3>& needed) {
+  const auto differ = [&](int y, int z, int v, int w) {
+    const ConstBitRow a = bits.row(y, z), b = bits.row(v, w);
+    return !std::equal(a.begin(), a.end(), b.begin());
+  };
+  std::vector<std::uint64_t> along(bits.row(0, 0).size(), 0);
+  for (int z = 0; z < bits.cells(2); ++z) {
+    for (int y = 0; y < bits.cells(1); ++y) {
+      const ConstBitRow row = bits.row(y, z);
+      for (std::size_t k = 0; k < along.size(); ++k) along[k] |= changes(row, k);
+      if (y > 0 && needed[1][odd_of(y)] == 0 && differ(y, z, y - 1, z)) needed[1][odd_of(y)] = 1;
+      if (z > 0 && needed[2][odd_of(z)] == 0 && differ(y, z, y, z - 1)) needed[2][odd_of(z)] = 1;
+    }
+  }
+  for (int x = 1; x < bits.cells(0); ++x) {
+    if (bit(along, x)) needed[0][odd_of(x)] = 1;
+  }
+}
+
+}  // namespace
+
+/// A coordinate where the slabs on its sides and itself do not agree.
+std::array<std::vector<char>, 3> BoxComplex::needed() const {
+  std::array<std::vector<char>, 3> out;
+  for (std::size_t k = 0; k < 3; ++k) out[k].assign(static_cast<std::size_t>(cells(static_cast<int>(k))) + 1, 0);
+  add_needed(in_, out);
+  if (has_negative()) add_needed(negative_, out);
+  return out;
+}
+
+std::vector<int> first_cells(const std::vector<int>& from, int cells) {
+  std::vector<int> out;
+  for (int c = 0; c <= cells; ++c)
+    out.push_back(static_cast<int>(std::lower_bound(from.begin(), from.end(), c) - from.begin()));
+  return out;
+}
+
 BoxComplex BoxComplex::simplified() const {
   if (too_fine_) return *this;
+  const std::array<std::vector<char>, 3> needed = this->needed();
   Axes kept;
-  for (int k = 0; k < 3; ++k) {
-    for (int c = 1; c < cells(k); c += 2) {
-      bool same = true;
-      const int a = (k + 1) % 3, b = (k + 2) % 3;
-      for (int i = 0; same && i < cells(a); ++i) {
-        for (int j = 0; same && j < cells(b); ++j) {
-          std::array<int, 3> at{};
-          at[a] = i;
-          at[b] = j;
-          at[k] = c;
-          const Mark here = mark(at[0], at[1], at[2]);
-          at[k] = c - 1;
-          same = mark(at[0], at[1], at[2]) == here;
-          at[k] = c + 1;
-          same = same && mark(at[0], at[1], at[2]) == here;
-        }
-      }
-      if (!same) kept[k].push_back(at_[k][static_cast<std::size_t>(c / 2)]);
+  CellNumbers from;
+  for (std::size_t k = 0; k < 3; ++k) {
+    from[k].push_back(0);
+    for (int c = 1; c < cells(static_cast<int>(k)); c += 2) {
+      if (needed[k][std::size_t(c)] == 0) continue;
+      kept[k].push_back(at_[k][static_cast<std::size_t>(c / 2)]);
+      from[k].push_back(c);
+      from[k].push_back(c + 1);
     }
   }
-  BoxComplex out(kept);
-  std::array<std::vector<int>, 3> from;
-  for (int k = 0; k < 3; ++k) {
-    for (int c = 0; c < out.cells(k); ++c) {
-      const std::size_t i = static_cast<std::size_t>(c / 2);
-      from[k].push_back(c % 2 == 1 ? cell_of(k, out.at_[k][i]) : c == 0 ? 0 : cell_of(k, out.at_[k][i - 1]) + 1);
-    }
-  }
+  if (kept[0].size() == at_[0].size() && kept[1].size() == at_[1].size() && kept[2].size() == at_[2].size())
+    return *this;
+  const std::vector<int> first = first_cells(from[0], cells(0));
+  BoxComplex out(std::move(kept));
   for (int z = 0; z < out.cells(2); ++z) {
     for (int y = 0; y < out.cells(1); ++y) {
-      for (int x = 0; x < out.cells(0); ++x)
-        out.marks_[out.index(x, y, z)] =
-            mark(from[0][std::size_t(x)], from[1][std::size_t(y)], from[2][std::size_t(z)]);
+      const int j = from[1][std::size_t(y)], k = from[2][std::size_t(z)];
+      for (int x = 0, end = 0; x < cells(0); x = end) {
+        end = run_end(x, j, k);
+        if (const Mark m = mark(x, j, k); m != 0) out.mark_run(y, z, first[std::size_t(x)], first[std::size_t(end)], m);
+      }
     }
   }
+  return out;
+}
+
+BoxComplex BoxComplex::reversed(Axes at) const {
+  BoxComplex out(std::move(at));
+  for (int z = 0; z < cells(2); ++z) {
+    for (int y = 0; y < cells(1); ++y) {
+      for (int x = 0, end = 0; x < cells(0); x = end) {
+        end = run_end(x, y, z);
+        if (const Mark m = mark(x, y, z); m != 0)
+          out.mark_run(cells(1) - 1 - y, cells(2) - 1 - z, cells(0) - end, cells(0) - x, m);
+      }
+    }
+  }
+  return out;
+}
+
+BoxComplex BoxComplex::moved_to(Axes at) const {
+  BoxComplex out = *this;
+  out.at_ = std::move(at);
   return out;
 }
 
 BoxComplex BoxComplex::remarked(const std::function<Mark(Mark)>& to) const {
   BoxComplex out = *this;
   if (too_fine_) return out;
-  for (Mark& m : out.marks_) m = to(m);
+  const Mark below = to(-1), none = to(0), above = to(1);
+  const auto all_if = [](bool belongs) { return belongs ? ~std::uint64_t{0} : std::uint64_t{0}; };
+  CellBits rest = in_, negative(cell_counts());
+  rest.turn();
+  std::uint64_t any = 0;
+  for (std::size_t k = 0; k < in_.words().size(); ++k) {
+    const std::uint64_t zero = rest.words()[k], minus = has_negative() ? negative_.words()[k] : 0,
+                        plus = in_.words()[k] & ~minus;
+    const auto joined = [&](auto belongs) {
+      return (minus & all_if(belongs(below))) | (zero & all_if(belongs(none))) | (plus & all_if(belongs(above)));
+    };
+    out.in_.words()[k] = joined([](Mark m) { return m != 0; });
+    negative.words()[k] = joined([](Mark m) { return m < 0; });
+    any |= negative.words()[k];
+  }
+  out.negative_ = any != 0 ? std::move(negative) : CellBits();
   return out;
 }
 
@@ -140,46 +238,43 @@ Interval BoxComplex::interval(int k, int from, int to) const {
   return i;
 }
 
-std::vector<IntervalBox> BoxComplex::boxes() const {
+std::vector<CellRange> BoxComplex::ranges() const {
   assert(!too_fine_);
-  std::vector<IntervalBox> out;
-  std::vector<char> done(marks_.size(), 0);
-  const auto free = [&](int x, int y, int z) { return marks_[index(x, y, z)] != 0 && done[index(x, y, z)] == 0; };
+  std::vector<CellRange> out;
+  CellBits free = in_;
   for (int z = 0; z < cells(2); ++z) {
     for (int y = 0; y < cells(1); ++y) {
-      for (int x = 0; x < cells(0); ++x) {
-        if (!free(x, y, z)) continue;
-        int x1 = x, y1 = y, z1 = z;
-        while (x1 + 1 < cells(0) && free(x1 + 1, y, z)) ++x1;
-        const auto row = [&](int j, int k) {
-          for (int i = x; i <= x1; ++i) {
-            if (!free(i, j, k)) return false;
-          }
-          return true;
-        };
-        while (y1 + 1 < cells(1) && row(y1 + 1, z)) ++y1;
+      for (int x = 0; (x = next_bit(free.row(y, z), x, cells(0), true)) < cells(0);) {
+        const int end = next_bit(free.row(y, z), x, cells(0), false);
+        int y1 = y, z1 = z;
+        while (y1 + 1 < cells(1) && free.full(y1 + 1, z, x, end)) ++y1;
         const auto slab = [&](int k) {
           for (int j = y; j <= y1; ++j) {
-            if (!row(j, k)) return false;
+            if (!free.full(j, k, x, end)) return false;
           }
           return true;
         };
         while (z1 + 1 < cells(2) && slab(z1 + 1)) ++z1;
         for (int k = z; k <= z1; ++k) {
-          for (int j = y; j <= y1; ++j) {
-            for (int i = x; i <= x1; ++i) done[index(i, j, k)] = 1;
-          }
+          for (int j = y; j <= y1; ++j) free.fill(j, k, x, end, false);
         }
-        out.push_back({interval(0, x, x1), interval(1, y, y1), interval(2, z, z1)});
+        out.push_back({{{x, end - 1}, {y, y1}, {z, z1}}});
       }
     }
   }
   return out;
 }
 
+std::vector<IntervalBox> BoxComplex::boxes() const {
+  std::vector<IntervalBox> out;
+  for (const auto& [x, y, z] : ranges())
+    out.push_back({interval(0, x[0], x[1]), interval(1, y[0], y[1]), interval(2, z[0], z[1])});
+  return out;
+}
+
 bool BoxComplex::empty() const {
   assert(!too_fine_);
-  return std::all_of(marks_.begin(), marks_.end(), [](Mark m) { return m == 0; });
+  return std::all_of(in_.words().begin(), in_.words().end(), [](std::uint64_t w) { return w == 0; });
 }
 
 }  // namespace findspace::space

@@ -14,6 +14,8 @@ BoxComplex translated(const BoxComplex& set, const RealVector& by);
 
 /// Marks computed from those of several complexes over their common grid.
 BoxComplex overlay(std::span<const BoxComplex* const> sets, const std::function<Mark(std::span<const Mark>)>& combine);
+/// Of sets, painted on one grid.
+BoxComplex united(std::span<const BoxComplex* const> sets);
 /// {a + b}; sets.
 BoxComplex sum(const BoxComplex& a, const BoxComplex& b);
 

@@ -3,7 +3,8 @@
 //
 // What a set with axis-parallel faces is like, in numbers: the summary of plane/query/summary.h one dimension higher.
 // Two cells are connected where one lies in the closure of the other and both belong. Truth values and counts are
-// exact; volumes, areas and lengths are exact numbers given as the nearest double. Cost: linear in the cells. Keywords:
+// exact; volumes, areas and lengths are exact numbers given as the nearest double. Cost: linear in the rows
+// of cells and their runs. Keywords:
 // connected components, cavities, Betti numbers.
 #pragma once
 

@@ -219,13 +219,10 @@ std::optional<BoxComplex> offset_of(const BoxComplex& set, const Real& amount) {
   return of_box(*box);
 }
 
-/// Painted on one grid.
 BoxComplex united(const std::vector<BoxComplex>& sets) {
-  std::vector<IntervalBox> boxes;
-  for (const BoxComplex& s : sets) {
-    for (IntervalBox& box : s.boxes()) boxes.push_back(std::move(box));
-  }
-  return BoxComplex::of_boxes(boxes);
+  std::vector<const BoxComplex*> all;
+  for (const BoxComplex& s : sets) all.push_back(&s);
+  return space::united(all);
 }
 
 /// The complement of the union of the sets, the first `inverted` of them replaced by their complements.
@@ -276,22 +273,23 @@ class FullCells {
   /// More cells are not counted: each takes four bytes.
   static constexpr std::size_t kMost = std::size_t{1} << 22;
 
-  explicit FullCells(const BoxComplex& set) : set_(set), below_(set.marks().size()) {
+  explicit FullCells(const BoxComplex& set) : set_(set), below_(count(set)) {
     for (int z = 0; z < set.cells(2); ++z) {
       for (int y = 0; y < set.cells(1); ++y) {
         for (int x = 0; x < set.cells(0); ++x) {
-          below_[set.index(x, y, z)] = (set.mark(x, y, z) != 0 ? 1 : 0) + below(x - 1, y, z) + below(x, y - 1, z) +
-                                       below(x, y, z - 1) - below(x - 1, y - 1, z) - below(x - 1, y, z - 1) -
-                                       below(x, y - 1, z - 1) + below(x - 1, y - 1, z - 1);
+          below_[index(x, y, z)] = (set.mark(x, y, z) != 0 ? 1 : 0) + below(x - 1, y, z) + below(x, y - 1, z) +
+                                   below(x, y, z - 1) - below(x - 1, y - 1, z) - below(x - 1, y, z - 1) -
+                                   below(x, y - 1, z - 1) + below(x - 1, y - 1, z - 1);
         }
       }
     }
   }
+  static std::size_t count(const BoxComplex& set) {
+    return static_cast<std::size_t>(set.cells(0)) * static_cast<std::size_t>(set.cells(1)) *
+           static_cast<std::size_t>(set.cells(2));
+  }
 
-  /// First and last cells along each axis.
-  using Range = std::array<std::array<int, 2>, 3>;
-
-  bool full(const Range& r) const {
+  bool full(const CellRange& r) const {
     std::int64_t count = 0, all = 1;
     for (int k = 0; k < 8; ++k) {
       const int sign = (k & 1) + (k >> 1 & 1) + (k >> 2 & 1);
@@ -303,11 +301,11 @@ class FullCells {
   }
 
   /// As far as the set goes, along one axis after the other, by a coordinate at a time.
-  void grow(Range& r) const {
+  void grow(CellRange& r) const {
     for (int k = 0; k < 3; ++k) {
       for (const int side : {0, 1}) {
         for (;;) {
-          Range next = r;
+          CellRange next = r;
           next[k][side] += side == 0 ? -2 : 2;
           if (next[k][0] < 0 || next[k][1] >= set_.cells(k) || !full(next)) break;
           r = next;
@@ -317,7 +315,12 @@ class FullCells {
   }
 
  private:
-  std::int32_t below(int x, int y, int z) const { return x < 0 || y < 0 || z < 0 ? 0 : below_[set_.index(x, y, z)]; }
+  std::size_t index(int x, int y, int z) const {
+    return (static_cast<std::size_t>(z) * static_cast<std::size_t>(set_.cells(1)) + static_cast<std::size_t>(y)) *
+               static_cast<std::size_t>(set_.cells(0)) +
+           static_cast<std::size_t>(x);
+  }
+  std::int32_t below(int x, int y, int z) const { return x < 0 || y < 0 || z < 0 ? 0 : below_[index(x, y, z)]; }
 
   const BoxComplex& set_;
   std::vector<std::int32_t> below_;
@@ -327,11 +330,11 @@ class FullCells {
 /// a search over it then needs no seams.
 std::vector<IntervalBox> grown_boxes(const BoxComplex& set) {
   std::vector<IntervalBox> boxes = set.boxes();
-  if (boxes.size() < 2 || set.marks().size() > FullCells::kMost) return boxes;
+  if (boxes.size() < 2 || FullCells::count(set) > FullCells::kMost) return boxes;
   const FullCells cells(set);
-  std::vector<FullCells::Range> grown;
+  std::vector<CellRange> grown;
   for (const IntervalBox& box : boxes) {
-    FullCells::Range range{};
+    CellRange range{};
     for (int k = 0; k < 3; ++k) {
       if (!box[k].from || !box[k].to) return boxes;
       // An end that is not in it is that of its closure, which is in the set.
@@ -341,7 +344,7 @@ std::vector<IntervalBox> grown_boxes(const BoxComplex& set) {
     if (std::find(grown.begin(), grown.end(), range) == grown.end()) grown.push_back(range);
   }
   boxes.clear();
-  for (const FullCells::Range& range : grown) {
+  for (const CellRange& range : grown) {
     IntervalBox& box = boxes.emplace_back();
     for (int k = 0; k < 3; ++k) box[k] = set.interval(k, range[k][0], range[k][1]);
   }
