@@ -3,6 +3,7 @@
 #include "distance/search/solid_max_min.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -24,7 +25,22 @@ class ConvexSets : public MaxMinTarget {
   explicit ConvexSets(std::span<const ConvexDistance> sets) : sets_(sets), all_(sets.size()) {
     std::iota(all_.begin(), all_.end(), 0);
   }
-  std::vector<int> sets() const override { return all_; }
+  /// A cell in the ball is no longer than twice its radius, and has a place of at most the least distance of the middle
+  /// and the radius: look() would leave the others out. Of the radius two are to spare.
+  std::vector<int> sets(const Vector& middle, double radius) const override {
+    std::vector<double> distances;
+    double least = exact::kInfinity;
+    for (const int i : all_) {
+      distances.push_back(std::isinf(radius) ? 0 : distance(i, middle));
+      least = std::min(least, distances.back());
+    }
+    const double most = least + 6 * radius + margin::kPlaceNoise * (space::size_of(middle) + least + 1);
+    std::vector<int> out;
+    for (const int i : all_) {
+      if (distances[static_cast<std::size_t>(i)] <= most) out.push_back(i);
+    }
+    return out;
+  }
 
   bool look(MaxMinCell& cell, const Vector& middle, MaxMinBest& best) const override {
     std::size_t a = 0, b = 1;

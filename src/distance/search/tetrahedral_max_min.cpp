@@ -53,14 +53,25 @@ class TetrahedralMaxMin {
 };
 
 void TetrahedralMaxMin::add(const Solids& solids) {
-  const std::vector<int> sets = target_.sets();
   for (const Vector& v : solids.corners) target_.offer_in(v, best_);
-  for (const Tetrahedron& t : solids.cells) add({{t}, sets, {}, nullptr, exact::kInfinity});
+  for (auto first = solids.cells.begin(); first != solids.cells.end();) {
+    // Those of one part begin with one corner.
+    const auto last = std::find_if(first, solids.cells.end(),
+                                   [&](const Tetrahedron& t) { return space::length(t[0] - (*first)[0]) > 0; });
+    const Vector middle = centre(*first);
+    double radius = 0;
+    for (auto t = first; t != last; ++t) {
+      for (const Vector& v : *t) radius = std::max(radius, space::length(v - middle));
+    }
+    const std::vector<int> sets = target_.sets(middle, radius);
+    for (; first != last; ++first) add({{*first}, sets, {}, nullptr, exact::kInfinity});
+  }
+  const std::vector<int> all = solids.round.empty() ? std::vector<int>() : target_.sets({}, exact::kInfinity);
   for (const RoundSolid& r : solids.round) {
     // No distance grows faster than a step.
     const double ceiling =
         r.way ? exact::kInfinity : target_.offer_in(r.from, best_) + space::length(r.to - r.from) + r.radius;
-    for (const Tetrahedron& t : around(r)) add({{t}, sets, {}, &r, ceiling});
+    for (const Tetrahedron& t : around(r)) add({{t}, all, {}, &r, ceiling});
   }
 }
 

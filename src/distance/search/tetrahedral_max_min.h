@@ -58,8 +58,8 @@ class MaxMinBest {
 class MaxMinTarget {
  public:
   virtual ~MaxMinTarget() = default;
-  /// That the first cells have.
-  virtual std::vector<int> sets() const { return {}; }
+  /// That the first cells in a ball have.
+  virtual std::vector<int> sets(const space::Vector& /*middle*/, double /*radius*/) const { return {}; }
   /// A place of the solid, and at most what its distance is; nothing is said where cells offer their corners.
   virtual double offer_in(const space::Vector& /*x*/, MaxMinBest& /*best*/) const { return exact::kInfinity; }
   /// Of a cell that has the sets of the one it is a half of (or none): offers places of it, lowers its bound, and keeps
