@@ -40,6 +40,18 @@ bool is_chord_inside(const Geometry& g, const Piece& segment, const Piece& arc) 
   return certainly_inside(g, segment.p0, circle) && certainly_inside(g, segment.p1, circle);
 }
 
+/// Whether one ends at the x at which the other begins, but not at the same point, so that they do not meet. Of nested
+/// outlines with arcs at their corners most are such.
+bool is_beside(const Geometry& g, const Piece& p, const Piece& q) {
+  const auto upright = [&](const Piece& k) { return k.half == 0 && g.supporting_curves[k.supporting_curve].b == 0; };
+  if (upright(p) || upright(q)) return false;
+  const auto ends_before = [&](Index end, Index begin) {
+    const int x = compare_x(g, end, begin);
+    return x < 0 || (x == 0 && compare_y(g, end, begin) != 0);
+  };
+  return ends_before(p.p1, q.p0) || ends_before(q.p1, p.p0);
+}
+
 /// The things that are used (not 0), numbered in their order.
 std::vector<Index> numbered(std::vector<Index>& used) {
   std::vector<Index> all;
@@ -322,6 +334,8 @@ void PieceMeetings::curves(Index i, Index j) {
   if (shared != kNone) {
     bool smooth_p = shared == p.p0 ? p.smooth0 : p.smooth1, smooth_q = shared == q.p0 ? q.smooth0 : q.smooth1;
     if (smooth_p && smooth_q) return;  // tangent there: a double root, no further meeting
+  } else if (is_beside(g_, p, q)) {
+    return;
   }
   for (Index end : {p.p0, p.p1, q.p0, q.p1})
     if (touch_at(g_, end, p.supporting_curve, q.supporting_curve)) return end == shared ? void() : meet_at(i, j, end);
