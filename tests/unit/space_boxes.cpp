@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <random>
 
 #include "space/body/open_union.h"
 #include "space/box/box_operations.h"
@@ -127,6 +128,73 @@ TEST(BoxComplex, SumOfOpenAndClosedBoxes) {
   EXPECT_EQ(open.mark(place(-1, 1, 1, 2)), 1);
   EXPECT_EQ(open.mark(place(2, 1, 1)), 0);
   EXPECT_EQ(sum(a, b).mark(place(-1, -1, -1)), 1);
+}
+
+/// Rows of several words, whose runs begin and end anywhere: at every cell what the definition says.
+TEST(BoxComplex, RowsOfSeveralWords) {
+  std::mt19937 random(7);
+  const auto pick = [&](int a, int b) { return std::uniform_int_distribution<std::int64_t>(a, b)(random); };
+  const auto some = [&](int count) {
+    std::vector<Corners> boxes;
+    for (int k = 0; k < count; ++k) {
+      const std::int64_t x = pick(0, 90), y = pick(0, 5), z = pick(0, 5);
+      boxes.push_back({{{x, y, z}, {x + pick(1, 12), y + pick(1, 3), z + pick(1, 3)}}});
+    }
+    return boxes;
+  };
+  const std::vector<Corners> of_a = some(60), of_b = some(30);
+  const auto within = [](const std::vector<Corners>& boxes, const std::array<std::int64_t, 3>& twice, bool open) {
+    return std::any_of(boxes.begin(), boxes.end(), [&](const Corners& c) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::int64_t from = 2 * c[0][k] + (open ? 1 : 0), to = 2 * c[1][k] - (open ? 1 : 0);
+        if (twice[k] < from || to < twice[k]) return false;
+      }
+      return true;
+    });
+  };
+  const BoxComplex a = box_set(of_a), b = box_set(of_b);
+  const BoxComplex signs = overlay(std::array<const BoxComplex*, 2>{&a, &b}, [](std::span<const Mark> m) {
+    return Mark(m[0] ? -1 : m[1] ? 0 : 1);
+  });
+  ASSERT_GT(signs.cells(0), 3 * kWordBits / 2);
+  const BoxComplex turned = mirrored(signs.remarked([](Mark m) { return Mark(-m); })).simplified();
+  const BoxComplex wide = sum(a, box_set({{{{0, 0, 0}, {1, 0, 0}}}}));
+  const BoxComplex again = BoxComplex::of_boxes(complement(a).boxes()), edge = boundary(a);
+  for (std::int64_t z = -1; z <= 18; ++z) {
+    for (std::int64_t y = -1; y <= 18; ++y) {
+      for (std::int64_t x = -1; x <= 210; ++x) {
+        const bool in_a = within(of_a, {x, y, z}, false), in_b = within(of_b, {x, y, z}, false);
+        const Mark sign = in_a ? Mark(-1) : in_b ? Mark(0) : Mark(1);
+        const RealVector p = place(x, y, z, 2);
+        ASSERT_EQ(signs.mark(p), sign) << x << ' ' << y << ' ' << z;
+        ASSERT_EQ(turned.mark(place(-x, -y, -z, 2)), -sign) << x << ' ' << y << ' ' << z;
+        ASSERT_EQ(again.mark(p) != 0, !in_a) << x << ' ' << y << ' ' << z;
+        const bool seen = in_a || within(of_a, {x - 1, y, z}, false) || within(of_a, {x - 2, y, z}, false);
+        ASSERT_EQ(wide.mark(p) != 0, seen) << x << ' ' << y << ' ' << z;
+        if (!in_a || within(of_a, {x, y, z}, true)) {
+          ASSERT_EQ(edge.mark(p), 0) << x << ' ' << y << ' ' << z;
+        }
+      }
+    }
+  }
+  EXPECT_TRUE(interior(edge).empty());
+}
+
+/// A hundred million cells: work by words and runs, not by cells.
+TEST(BoxComplex, ManyBoxesOfDifferentCoordinates) {
+  std::vector<Corners> boxes;
+  for (std::int64_t k = 0; k < 115; ++k) {
+    const std::int64_t x = k * 37 % 115 * 4, y = k * 53 % 115 * 4, z = k * 4;
+    boxes.push_back({{{x, y, z}, {x + 61, y + 63, z + 65}}});
+  }
+  const auto start = std::chrono::steady_clock::now();
+  const BoxComplex set = box_set(boxes);
+  ASSERT_FALSE(set.too_fine());
+  const SpaceSummary s = summarize(complement(interior(set)), Real(1));
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  EXPECT_TRUE(s.closed && s.regular && !s.bounded);
+  EXPECT_FALSE(s.components.empty());
+  EXPECT_LT(seconds, 20);  // less than two where it was written; room for sanitizers
 }
 
 TEST(ConvexRegion, CutsDownToAPoint) {
