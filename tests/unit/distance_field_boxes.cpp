@@ -59,5 +59,19 @@ TEST(FieldBoxes, WhatIsSaidToBeWithinIs) {
   EXPECT_GE(after, made);
 }
 
+TEST(FieldBoxes, APlaceHasNoMoreThanIsSaid) {
+  const FieldBoxes boxes({1, 0, -1}, 20, 7, to_ring);
+  std::mt19937 random(5);
+  const auto pick = [&](double far) { return std::uniform_real_distribution<double>(-far, far)(random); };
+  for (int round = 0; round < 2000; ++round) {
+    const Vector at{pick(18), pick(18), pick(18)};
+    const double off = std::ldexp(1.0, round % 5 - 2);
+    const double most = boxes.most_at(at, off);
+    ASSERT_GE(most, to_ring(at)) << round;
+    ASSERT_LE(most, to_ring(at) + 4 * off) << round;
+  }
+  EXPECT_EQ(boxes.most_at({0, 0, 40}, 1), exact::kInfinity);
+}
+
 }  // namespace distance_field_boxes
 }  // namespace findspace::distance

@@ -24,6 +24,11 @@ struct EndRow {
   double least;
 };
 using EndStep = std::array<double, 4>;
+/// Where four rows are equalities.
+struct EndCorner {
+  EndStep step;
+  EndStep inward{};  // from there: distances grow by 1, and the planes hold
+};
 
 double value_of(const EndRow& row, const EndStep& step) {
   double sum = -row.least;
@@ -31,12 +36,13 @@ double value_of(const EndRow& row, const EndStep& step) {
   return sum;
 }
 
-/// At which four rows are equalities.
-std::optional<EndStep> corner_of(const std::array<const EndRow*, 4>& rows) {
-  double m[4][5];
+/// Of which the first are distances.
+std::optional<EndCorner> corner_of(const std::array<const EndRow*, 4>& rows, std::size_t distances) {
+  double m[4][6];
   for (std::size_t r = 0; r < 4; ++r) {
     for (std::size_t c = 0; c < 4; ++c) m[r][c] = rows[r]->factors[c];
     m[r][4] = rows[r]->least;
+    m[r][5] = r < distances ? 1 : 0;
   }
   for (std::size_t c = 0; c < 4; ++c) {
     std::size_t top = c;
@@ -48,10 +54,15 @@ std::optional<EndStep> corner_of(const std::array<const EndRow*, 4>& rows) {
     for (std::size_t r = 0; r < 4; ++r) {
       if (r == c) continue;
       const double factor = m[r][c] / m[c][c];
-      for (std::size_t k = c; k < 5; ++k) m[r][k] -= factor * m[c][k];
+      for (std::size_t k = c; k < 6; ++k) m[r][k] -= factor * m[c][k];
     }
   }
-  return EndStep{m[0][4] / m[0][0], m[1][4] / m[1][1], m[2][4] / m[2][2], m[3][4] / m[3][3]};
+  EndCorner out{};
+  for (std::size_t c = 0; c < 4; ++c) {
+    out.step[c] = m[c][4] / m[c][c];
+    out.inward[c] = m[c][5] / m[c][c];
+  }
+  return out;
 }
 
 void keep_least_fulfilled(std::vector<EndRow>& rows) {
@@ -73,21 +84,25 @@ class OutermostPlace {
  public:
   OutermostPlace(const EndField& a, const EndQuestion& q) : a_(a), q_(q) {}
 
-  std::optional<Vector> run(Vector x, double at) {
+  std::optional<EndPlace> run(const Vector& x, double at) {
     double reach = q_.reach;
+    EndPlace out{x, at, {}, 0};
     for (int count = 0; count < kMostEndSteps; ++count) {
-      std::vector<EndRow> distances = distance_rows(x, reach), planes = plane_rows(x, at, reach);
-      const std::optional<EndStep> step = best(distances, planes, reach);
-      if (!step) return count > 0 ? std::optional(x) : std::nullopt;
-      x = space::plus(x, {(*step)[0], (*step)[1], (*step)[2]});
-      at += (*step)[3];
+      std::vector<EndRow> distances = distance_rows(out.x, reach), planes = plane_rows(out.x, out.at, reach);
+      const std::optional<EndCorner> next = best(distances, planes, reach);
+      if (!next) return count > 0 ? std::optional(out) : std::nullopt;
+      const EndStep &step = next->step, &inward = next->inward;
+      out = {space::plus(out.x, {step[0], step[1], step[2]}),
+             out.at + step[3],
+             {inward[0], inward[1], inward[2]},
+             inward[3]};
       double length = 0;
-      for (const double c : *step) length = std::max(length, std::fabs(c));
+      for (const double c : step) length = std::max(length, std::fabs(c));
       if (length <= q_.noise) break;
       // What was near then may be so again, but no farther steps are expected.
       reach = std::clamp(4 * length, 1024 * q_.noise, reach);  // no sign: what is looked at
     }
-    return x;
+    return out;
   }
 
  private:
@@ -112,22 +127,25 @@ class OutermostPlace {
   }
 
   /// The corner of the rows that is farthest along the way, in reach.
-  std::optional<EndStep> best(const std::vector<EndRow>& distances, const std::vector<EndRow>& planes, double reach) {
+  std::optional<EndCorner> best(const std::vector<EndRow>& distances, const std::vector<EndRow>& planes, double reach) {
     std::vector<const EndRow*> rows;
     for (const EndRow& r : distances) rows.push_back(&r);
     for (const EndRow& r : planes) rows.push_back(&r);
     const std::size_t n = rows.size();
-    std::optional<EndStep> found;
+    std::optional<EndCorner> found;
     const auto offer = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
       if (a >= distances.size() || d < distances.size()) return;  // one of each kind
-      const std::optional<EndStep> step = corner_of({rows[a], rows[b], rows[c], rows[d]});
-      if (!step || (found && !(((*step)[3] - (*found)[3]) * q_.way > 0))) return;
-      for (const double s : *step) {
+      const std::size_t of_distances = b >= distances.size() ? 1 : c >= distances.size() ? 2 : 3;
+      const std::optional<EndCorner> corner = corner_of({rows[a], rows[b], rows[c], rows[d]}, of_distances);
+      if (!corner) return;
+      const EndStep& step = corner->step;
+      if (found && !((step[3] - found->step[3]) * q_.way > 0)) return;
+      for (const double s : step) {
         if (!(std::fabs(s) <= 4 * reach)) return;
       }
       const double tolerance = margin::kEndPivot * reach;
-      if (std::all_of(rows.begin(), rows.end(), [&](const EndRow* r) { return value_of(*r, *step) >= -tolerance; }))
-        found = step;
+      if (std::all_of(rows.begin(), rows.end(), [&](const EndRow* r) { return value_of(*r, step) >= -tolerance; }))
+        found = corner;
     };
     for (std::size_t a = 0; a < n; ++a) {
       for (std::size_t b = a + 1; b < n; ++b) {
@@ -145,7 +163,7 @@ class OutermostPlace {
 
 }  // namespace
 
-std::optional<Vector> outermost_place(const EndField& a, const EndQuestion& q, Vector x, double at) {
+std::optional<EndPlace> outermost_place(const EndField& a, const EndQuestion& q, Vector x, double at) {
   return OutermostPlace(a, q).run(x, at);
 }
 

@@ -45,7 +45,16 @@ struct EndQuestion {
   double reach = 0, noise = 0;
 };
 
+struct EndPlace {
+  space::Vector x;
+  double at = 0;  // B holds it there
+  /// Along this way, with the places along it, the distances that end it grow by the length of 1 at least, and the
+  /// planes that do hold it.
+  space::Vector inward;
+  double inward_at = 0;
+};
+
 /// From x, which B holds at place `at`.
-std::optional<space::Vector> outermost_place(const EndField& a, const EndQuestion& q, space::Vector x, double at);
+std::optional<EndPlace> outermost_place(const EndField& a, const EndQuestion& q, space::Vector x, double at);
 
 }  // namespace findspace::distance

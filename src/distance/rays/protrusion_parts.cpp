@@ -19,29 +19,6 @@ using space::Body;
 using space::BodyPart;
 using space::Vector;
 
-/// To the end of a run; a shorter one is as good.
-constexpr int kMostRootSteps = 60;
-
-/// How far a line runs until a convex function, positive at 0, is no longer so: a secant through places before lies
-/// below it beyond, so its zero comes no later.
-double convex_run(const std::function<double(double)>& f, double size) {
-  const double farthest = 4 * size;
-  double before = -size * margin::kSecantStart, at = 0;
-  double value_before = f(before), value = f(at);
-  for (int count = 0; count < kMostRootSteps && value > size * margin::kDistanceNoise; ++count) {
-    // With a margin for rounding, so that steps are rather too short.
-    const double slope = (value - value_before - size * margin::kDistanceNoise) / (at - before);
-    if (slope >= 0 || value > -slope * (farthest - at)) return farthest;
-    const double next = at - value / slope;
-    if (!(next > at)) break;
-    before = at;
-    value_before = value;
-    at = next;
-    value = f(at);
-  }
-  return at;
-}
-
 class PartsField : public ProtrusionField {
  public:
   PartsField(const space::Body& body, std::span<const space::WallBridge> further) {
@@ -55,11 +32,11 @@ class PartsField : public ProtrusionField {
   SolidMaxMin max_min(const Solids& solids, double slack, double share) const override {
     return solid_max_min(solids, nearest_, slack, share);
   }
-  double run(const Vector& x, const Vector& way, double cut, double size) const override {
+  double run(const Vector& x, const Vector& way, double cut, double size, double farthest) const override {
     double least = exact::kInfinity;
     for (const ConvexDistance& d : nearest_)
-      least =
-          std::min(least, convex_run([&](double s) { return d(space::plus(x, space::scaled(s, way))) - cut; }, size));
+      least = std::min(
+          least, convex_run([&](double s) { return d(space::plus(x, space::scaled(s, way))) - cut; }, size, farthest));
     return least;
   }
   bool outside(const Vector&) const override { return true; }  // distances are less than 0 inside
@@ -113,7 +90,28 @@ ProtrusionPart flat_part(const std::array<Vector, 3>& corners, double room) {
   return out;
 }
 
+/// To the end of a run.
+constexpr int kMostRootSteps = 60;
+
 }  // namespace
+
+/// A secant through places before lies below the function beyond, so its zero comes no later.
+double convex_run(const std::function<double(double)>& f, double size, double farthest) {
+  double before = -size * margin::kSecantStart, at = 0;
+  double value_before = f(before), value = f(at);
+  for (int count = 0; count < kMostRootSteps && value > size * margin::kDistanceNoise; ++count) {
+    // With a margin for rounding, so that steps are rather too short.
+    const double slope = (value - value_before - size * margin::kDistanceNoise) / (at - before);
+    if (slope >= 0 || value > -slope * (farthest - at)) return farthest;
+    const double next = at - value / slope;
+    if (!(next > at)) break;
+    before = at;
+    value_before = value;
+    at = next;
+    value = f(at);
+  }
+  return at;
+}
 
 std::shared_ptr<ProtrusionField> field_of_parts(const space::Body& body, std::span<const space::WallBridge> further) {
   return std::make_shared<PartsField>(body, further);

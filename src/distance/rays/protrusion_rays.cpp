@@ -44,25 +44,6 @@ constexpr Vector kInVoid[] = {{0, 0, 0},           {0.31, 0.17, 0.59},   {-0.23,
 /// Places that the outer side takes over from the inner one.
 constexpr std::size_t kFewSeen = 2;
 
-/// The line {x - s * unit} meets the half spaces for s in between; for none where it runs along a face farther outside
-/// than `noise`.
-void clip(const std::vector<EndPlane>& planes, const Vector& x, const Vector& unit, double noise, double& from,
-          double& to) {
-  for (const EndPlane& h : planes) {
-    const double value = h.approx_value(x), slope = space::dot(h.unit, unit);  // value - s * slope <= 0
-    if (std::fabs(slope) < margin::kAlongFace) {
-      if (value <= noise) continue;
-      from = exact::kInfinity;
-      to = -exact::kInfinity;
-      return;
-    }
-    if (slope > 0)
-      from = std::max(from, value / slope);
-    else
-      to = std::min(to, value / slope);
-  }
-}
-
 space::Extent box_of(const ProtrusionPart& part) {
   if (part.radius > 0) {
     const Vector r{part.radius, part.radius, part.radius};
@@ -152,165 +133,12 @@ void ProtrusionRays::add_swept(const Part& part, const Line& line, const Stretch
   }
 }
 
-ProtrusionRays::Stretch ProtrusionRays::held(const Part& part, const Line& line, const Vector& off) const {
-  if (part.radius > 0) {
-    const Vector way = off - part.center;
-    const double middle = space::dot(way, line.unit);
-    const double half = std::sqrt(std::max(0.0, part.radius * part.radius - space::dot(way, way) + middle * middle));
-    return {middle - half, middle + half};
-  }
-  double from = -exact::kInfinity, to = exact::kInfinity;
-  clip(part.planes, off, line.unit, size_ * margin::kPlaceNoise, from, to);
-  return {from, to};
-}
-
-/// Of one surface, ascending; nothing where they are not clear. Where the line meets an edge or a corner, faces that it
-/// enters by and faces that it leaves by meet: it may only touch there. The sides of the crossings before and after
-/// tell.
-std::optional<std::vector<ProtrusionRays::SolidChord>> ProtrusionRays::chords_of_surface(
-    const Line& line, const Vector& off, std::span<const std::size_t> parts) const {
-  struct Crossing {
-    double at;
-    int sense;  // +: comes to hold it, 0: or leaves it, or touches it
-    const Part* part;
-  };
-  std::vector<Crossing> all;
-  for (const std::size_t k : parts) {
-    const auto [from, to] = held(parts_[k], line, off);
-    if (!(from <= to)) continue;
-    const double along = space::dot(parts_[k].normals[0], line.unit);
-    if (std::fabs(along) < margin::kAlongFace) return std::nullopt;
-    all.push_back({(from + to) / 2, along > 0 ? 1 : -1, &parts_[k]});  // no sign: tested by their order
-  }
-  std::sort(all.begin(), all.end(), [](const Crossing& a, const Crossing& b) { return a.at < b.at; });
-  std::vector<SolidChord> out;
-  const Crossing* unclear = nullptr;  // since the last one that is clear
-  Crossing touched{};
-  bool within = false;
-  const auto cross = [&](const Crossing& c) {
-    if (!within) out.push_back({{c.at, c.at}, c.part, c.part});
-    out.back().held.to = c.at;
-    out.back().last = c.part;
-    within = !within;
-  };
-  for (std::size_t k = 0; k < all.size();) {
-    Crossing one = all[k];
-    for (++k; k < all.size() && all[k].at - one.at <= size_ * margin::kRayNoise; ++k) {
-      if (all[k].sense != one.sense) one.sense = 0;
-    }
-    if (one.sense == 0) {
-      if (unclear) return std::nullopt;
-      touched = one;
-      unclear = &touched;
-      continue;
-    }
-    if (within != (one.sense < 0)) {
-      if (!unclear) return std::nullopt;
-      cross(*unclear);
-    }
-    unclear = nullptr;
-    cross(one);
-  }
-  if (within && unclear) cross(*unclear);
-  return within ? std::nullopt : std::optional(std::move(out));
-}
-
-/// By the surfaces, ascending; nothing where they are not clear.
-std::optional<std::vector<ProtrusionRays::SolidChord>> ProtrusionRays::solid_chords(
-    const Line& line, const Vector& off, const std::vector<std::size_t>& parts) const {
-  std::vector<SolidChord> all, out;
-  for (auto first = parts.begin(); first != parts.end();) {
-    const auto last =
-        std::find_if(first, parts.end(), [&](std::size_t k) { return parts_[k].surface != parts_[*first].surface; });
-    const auto some = chords_of_surface(line, off, {first, last});
-    if (!some) return std::nullopt;
-    all.insert(all.end(), some->begin(), some->end());
-    first = last;
-  }
-  std::sort(all.begin(), all.end(), [](const SolidChord& a, const SolidChord& b) { return a.held.from < b.held.from; });
-  for (const SolidChord& c : all) {
-    if (out.empty() || c.held.from > out.back().held.to) {
-      out.push_back(c);
-    } else if (c.held.to > out.back().held.to) {
-      out.back().held.to = c.held.to;
-      out.back().last = c.last;
-    }
-  }
-  return out;
-}
-
-/// That which has most in common with the stretch; nothing where that is not clear.
-std::optional<ProtrusionRays::Chord> ProtrusionRays::solid_chord(const Line& line, const Vector& off,
-                                                                 const std::vector<std::size_t>& parts,
-                                                                 const Stretch& within) const {
-  const std::optional<std::vector<SolidChord>> chords = solid_chords(line, off, parts);
-  if (!chords) return std::nullopt;
-  std::optional<Chord> best;
-  double longest = -exact::kInfinity;
-  for (const SolidChord& c : *chords) {
-    const double common = std::min(c.held.to, within.to) - std::max(c.held.from, within.from);
-    if (!(common > longest)) continue;
-    longest = common;
-    best = Chord{c.held, c.held.from >= within.from ? c.first : c.last, true};
-  }
-  // A place at the rim of B may be seen to be beside it.
-  return longest >= 0 ? best : std::nullopt;
-}
-
-std::vector<std::size_t> ProtrusionRays::parts_along(const Line& line, const Vector& off, const Stretch& within) const {
-  const double noise = size_ * margin::kRayNoise;
-  std::vector<std::size_t> some;
-  boxes_.each(
-      [&](const space::Extent& box) {
-        double from = within.from - noise, to = within.to + noise;
-        const auto cut = [&](double low, double high, double at, double way) {
-          low -= noise;
-          high += noise;
-          if (way == 0) {  // no sign: a coordinate of the line's direction
-            if (at < low || at > high) to = -exact::kInfinity;
-            return;
-          }
-          from = std::max(from, std::min((at - low) / way, (at - high) / way));
-          to = std::min(to, std::max((at - low) / way, (at - high) / way));
-        };
-        cut(box.low.x, box.high.x, off.x, line.unit.x);
-        cut(box.low.y, box.high.y, off.y, line.unit.y);
-        cut(box.low.z, box.high.z, off.z, line.unit.z);
-        return from <= to;
-      },
-      [&](std::size_t k) { some.push_back(k); });
-  std::sort(some.begin(), some.end());
-  return some;
-}
-
-/// The places at which a part of B holds x. Where none on the line does, a single place.
-ProtrusionRays::Chord ProtrusionRays::chord(const Line& line, const Vector& x, const Stretch& within) const {
-  const Vector off = x - line.start;
-  // A surface has to be known on all of the line.
-  const std::vector<std::size_t> some = parts_along(line, off, flat_ ? kAllOfIt : within);
-  Chord best{{within.from, within.from}, nullptr};
-  if (flat_) {
-    if (const std::optional<Chord> solid = solid_chord(line, off, some, within)) return *solid;
-  }
-  double longest = -exact::kInfinity;
-  for (const std::size_t k : some) {
-    const auto [from, to] = held(parts_[k], line, off);
-    const double common = std::min(to, within.to) - std::max(from, within.from);
-    if (!(common > longest)) continue;
-    longest = common;
-    best.part = &parts_[k];
-    best.exact = from <= to;
-    // Rounding may leave nothing of a chord that is a point.
-    best.held = from <= to ? Stretch{from, to} : Stretch{(from + to) / 2, (from + to) / 2};
-  }
-  return best;
-}
-
 /// The places at which x, or what lies before or behind it on its line, is outside V while B holds it.
 ProtrusionRays::Stretch ProtrusionRays::outside(const Side& side, const Line& line, const Vector& x,
                                                 const Stretch& held) const {
   const auto far = [&](double way) {
-    return std::max(0.0, field_->run(x, space::scaled(way, line.unit), side.cut, size_) - size_ * margin::kPlaceNoise);
+    const double run = field_->run(x, space::scaled(way, line.unit), side.cut, size_, 4 * size_);
+    return std::max(0.0, run - size_ * margin::kPlaceNoise);
   };
   return {held.from - far(-1), held.to + far(1)};
 }
@@ -331,8 +159,8 @@ std::optional<ProtrusionRays::Stretch> ProtrusionRays::cut_again(const Side& sid
   return std::nullopt;
 }
 
-std::optional<Vector> ProtrusionRays::outermost(const Side& side, const Line& line, const Part& part, const Vector& x,
-                                                double at, int way, double reach) const {
+std::optional<EndPlace> ProtrusionRays::outermost(const Side& side, const Line& line, const Part& part, const Vector& x,
+                                                  double at, int way, double reach) const {
   if (part.planes.empty()) return std::nullopt;
   EndQuestion q{part.planes, line.start, line.unit};
   q.target = side.cut + (side.enough - side.cut) / 8;
@@ -343,22 +171,44 @@ std::optional<Vector> ProtrusionRays::outermost(const Side& side, const Line& li
   return outermost_place(*field_, q, x, at);
 }
 
-void ProtrusionRays::lengthen(const Side& side, const Line& line, const Stretch& within, const Vector& x, Stretch& cut,
-                              Places& seen) const {
+std::vector<ProtrusionRays::Stretch> ProtrusionRays::lengthened(const Side& side, const Line& line,
+                                                                const Stretch& within, const Vector& x,
+                                                                const Stretch& cut, Places& seen) const {
+  std::vector<Stretch> out{cut};
   const Chord of = chord(line, x, within);
-  if (!of.part) return;
+  if (!of.part) return out;
   for (const int way : {-1, 1}) {
     const double end = way < 0 ? cut.from : cut.to, away = end - (way < 0 ? of.held.from : of.held.to);
     if (!(within.from < end && end < within.to)) continue;
-    const std::optional<Vector> y =
-        outermost(side, line, *of.part, space::plus(x, space::scaled(away, line.unit)), end, way, 8 * std::fabs(away));
+    const double reach = std::min(8 * std::fabs(away), side.cut);  // no sign: what is looked at
+    const std::optional<EndPlace> y =
+        outermost(side, line, *of.part, space::plus(x, space::scaled(away, line.unit)), end, way, reach);
     if (!y) continue;
-    const std::optional<Stretch> more = tested(side, line, within, *y);
-    if (!more || !(more->from <= cut.to && cut.from <= more->to)) continue;
-    if (way < 0 ? more->from >= cut.from : more->to <= cut.to) continue;
-    cut = {std::min(cut.from, more->from), std::max(cut.to, more->to)};
-    remember(*y, seen);
+    const std::optional<Stretch> more = tested(side, line, within, y->x);
+    if (!more || (way < 0 ? more->from >= cut.from : more->to <= cut.to)) continue;
+    out.push_back(*more);
+    remember(y->x, seen);
+    const double until = way < 0 ? of.held.from : of.held.to;
+    if (const std::optional<Stretch> between = inward(side, line, *of.part, *y, until)) out.push_back(*between);
   }
+  return out;
+}
+
+/// What is cut away beside the end, by places from y inward until that place or the part's frontier.
+std::optional<ProtrusionRays::Stretch> ProtrusionRays::inward(const Side& side, const Line& line, const Part& part,
+                                                              const EndPlace& y, double until) const {
+  const double speed = space::length(y.inward);
+  if (!(speed > 0) || !(y.inward_at * (until - y.at) > 0)) return std::nullopt;
+  double most = (until - y.at) / y.inward_at;
+  const Vector off = y.x - space::plus(line.start, space::scaled(y.at, line.unit));
+  for (const EndPlane& p : part.planes) {
+    const double room = -p.approx_value(off),
+                 used = space::dot(p.unit, y.inward - space::scaled(y.inward_at, line.unit));
+    if (used > 0) most = std::min(most, std::max(room, 0.0) / used);  // no sign: how far it is looked
+  }
+  const double run = field_->run(y.x, space::scaled(1 / speed, y.inward), side.cut, size_, most * speed);
+  const double at = y.at + std::min(run / speed, most) * y.inward_at;
+  return Stretch{std::min(y.at, at), std::max(y.at, at)};
 }
 
 /// What a place cuts away that may lie beside B, or in V.
@@ -422,38 +272,51 @@ std::optional<ProtrusionRays::Stretch> ProtrusionRays::cut_beside(const Side& si
       if (!of.part) continue;
       const double at = way < 0 ? of.held.from : of.held.to;
       if (std::fabs(at - end) > size_ * margin::kEndReach) continue;
-      const std::optional<Vector> y = outermost(side, line, *of.part, x, at, way, 0);
-      const std::optional<Stretch> cut = y ? tested(side, line, stretch, *y) : std::nullopt;
+      const std::optional<EndPlace> y = outermost(side, line, *of.part, x, at, way, 0);
+      const std::optional<Stretch> cut = y ? tested(side, line, stretch, y->x) : std::nullopt;
       // A short one would leave places between it and what is cut away beyond.
       if (!cut ||
           !(std::min(cut->to, stretch.to) - std::max(cut->from, stretch.from) > kMuch * (stretch.to - stretch.from)))
         continue;
-      remember(*y, seen);
+      remember(y->x, seen);
       return cut;
     }
   }
   return std::nullopt;
 }
 
-exact::Tried<std::optional<ProtrusionRays::Stretch>> ProtrusionRays::cut(const Side& side, const Line& line,
-                                                                         const Stretch& stretch,
-                                                                         std::span<const Stretch> known,
-                                                                         Places& seen) const {
-  exact::Tried<std::optional<Stretch>> by_void = cut_by_void(side, line, stretch, seen);
-  if (!by_void) return by_void;
+exact::Tried<std::vector<ProtrusionRays::Stretch>> ProtrusionRays::cut(const Side& side, const Line& line,
+                                                                       const Stretch& stretch,
+                                                                       std::span<const Stretch> known,
+                                                                       Places& seen) const {
+  const exact::Tried<std::optional<Stretch>> by_void = cut_by_void(side, line, stretch, seen);
+  if (!by_void) return by_void.refusal();
   std::optional<Stretch> out = *by_void;
   if (!out) out = cut_again(side, line, stretch, seen);
   if (!out) out = cut_beside(side, line, stretch, known, seen);
   if (!out) {
     const SolidMaxMin max_min = field_->max_min(swept(line, stretch, side.enough), side.enough, kProvenShare);
     if (!max_min.complete) return spent();
-    if (max_min.value <= side.enough) return std::optional<Stretch>();
+    if (max_min.value <= side.enough) return std::vector<Stretch>();
     const Chord of = chord(line, max_min.place, stretch);
     if (!of.part || (flat_ && !of.exact)) return not_clear();
     out = outside(side, line, max_min.place, of.held);
     remember(max_min.place, seen);
   }
-  lengthen(side, line, stretch, Vector(seen.front()), *out, seen);
+  return lengthened(side, line, stretch, Vector(seen.front()), *out, seen);
+}
+
+/// Of open stretches, ascending.
+std::vector<ProtrusionRays::Stretch> ProtrusionRays::joined(std::vector<Stretch> all) {
+  std::sort(all.begin(), all.end(), [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
+  std::vector<Stretch> out;
+  for (const Stretch& s : all) {
+    // Where two meet the second began before the first's end: it was clipped.
+    if (!out.empty() && s.from <= out.back().to)
+      out.back().to = std::max(out.back().to, s.to);
+    else
+      out.push_back(s);
+  }
   return out;
 }
 
@@ -475,28 +338,25 @@ exact::Tried<std::vector<ProtrusionRays::Stretch>> ProtrusionRays::cuts(const Si
     const Stretch s = left.back();
     left.pop_back();
     if (settled(side, s, known)) continue;
-    const exact::Tried<std::optional<Stretch>> found = this->cut(side, line, s, known, seen);
+    const exact::Tried<std::vector<Stretch>> found = this->cut(side, line, s, known, seen);
     if (!found) return found.refusal();
-    if (!*found) continue;
+    if (found->empty()) continue;
     if (++count > plane::allowed(kMostCuts)) return spent();
-    const Stretch cut{std::max((*found)->from, s.from), std::min((*found)->to, s.to)};
     if (s.from == s.to) return std::vector{s};  // the whole is a single place
+    bool any = false;
+    double begun = s.from;
+    for (const Stretch& cut : joined(*found)) {
+      if (!(std::max(cut.from, s.from) < std::min(cut.to, s.to))) continue;
+      any = true;
+      out.push_back({std::max(cut.from, s.from), std::min(cut.to, s.to)});
+      if (begun < cut.from) left.push_back({begun, cut.from});
+      begun = cut.to;
+    }
     // Where B holds the place was not seen, so it is not known what is cut away.
-    if (!(cut.from < cut.to)) return not_clear();
-    out.push_back(cut);
-    if (s.from < cut.from) left.push_back({s.from, cut.from});
-    if (cut.to < s.to) left.push_back({cut.to, s.to});
+    if (!any) return not_clear();
+    if (begun < s.to) left.push_back({begun, s.to});
   }
-  std::sort(out.begin(), out.end(), [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
-  // Where two meet the second began before the first's end: it was clipped.
-  std::vector<Stretch> joined;
-  for (const Stretch& s : out) {
-    if (!joined.empty() && s.from <= joined.back().to)
-      joined.back().to = s.to;
-    else
-      joined.push_back(s);
-  }
-  return joined;
+  return joined(std::move(out));
 }
 
 ProtrusionRays::Stretch ProtrusionRays::whole(const RayEvent& first, const RayEvent& last) const {

@@ -17,6 +17,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -49,9 +50,10 @@ class ProtrusionField : public EndField {
   virtual double size() const = 0;
   /// The point of the solids that is farthest out, as in solid_max_min.h.
   virtual SolidMaxMin max_min(const Solids& solids, double slack, double share) const = 0;
-  /// How far x may run along the way and stay farther than `cut` from the body, at least, and about that; x is farther.
-  /// `size`: of all.
-  virtual double run(const space::Vector& x, const space::Vector& way, double cut, double size) const = 0;
+  /// How far x may run along the way and stay farther than `cut` from the body, at least, and about that, or
+  /// `farthest`; x is farther. `size`: of all.
+  virtual double run(const space::Vector& x, const space::Vector& way, double cut, double size,
+                     double farthest) const = 0;
   /// A place in each part of space that is farther than `most` and may be one that a place at which the distance is
   /// greater than around it, and than `least`, lies in; nothing where such are not known.
   virtual std::optional<std::vector<VoidPlace>> voids(double /*least*/, double /*most*/) const { return {}; }
@@ -60,6 +62,10 @@ class ProtrusionField : public EndField {
   /// True only where no place of the box is farther than `most`.
   virtual bool within(const space::Extent& /*box*/, double /*most*/) const { return false; }
 };
+
+/// How far a line runs until a convex function, positive at 0, is no longer so, at least, and about that; a shorter
+/// run is as good.
+double convex_run(const std::function<double(double)>& f, double size, double farthest);
 
 /// `further`: sets within the body.
 std::shared_ptr<ProtrusionField> field_of_parts(const space::Body& body,
@@ -151,11 +157,15 @@ class ProtrusionRays : public space::RaySource {
   /// What a place that was outside before cuts away of the stretch, if that is much of it.
   std::optional<Stretch> cut_again(const Side& side, const Line& line, const Stretch& stretch, Places& seen) const;
   /// What the stretch is cut by, or nothing where nothing protrudes.
-  exact::Tried<std::optional<Stretch>> cut(const Side& side, const Line& line, const Stretch& stretch,
-                                           std::span<const Stretch> known, Places& seen) const;
-  /// A longer cut, by places near the one whose cut it is.
-  void lengthen(const Side& side, const Line& line, const Stretch& within, const space::Vector& x, Stretch& cut,
-                Places& seen) const;
+  exact::Tried<std::vector<Stretch>> cut(const Side& side, const Line& line, const Stretch& stretch,
+                                         std::span<const Stretch> known, Places& seen) const;
+  static std::vector<Stretch> joined(std::vector<Stretch> all);
+  /// The cut of x and more, by the places near x that are outermost.
+  std::vector<Stretch> lengthened(const Side& side, const Line& line, const Stretch& within, const space::Vector& x,
+                                  const Stretch& cut, Places& seen) const;
+  /// What is cut away beside an end, by places from y inward.
+  std::optional<Stretch> inward(const Side& side, const Line& line, const Part& part, const EndPlace& y,
+                                double until) const;
   /// By a void that B holds.
   exact::Tried<std::optional<Stretch>> cut_by_void(const Side& side, const Line& line, const Stretch& stretch,
                                                    Places& seen) const;
@@ -165,8 +175,8 @@ class ProtrusionRays : public space::RaySource {
                                 const space::Vector& x) const;
   static void remember(const space::Vector& x, Places& seen);
   /// Towards the lower places, or the higher ones; from B at a place.
-  std::optional<space::Vector> outermost(const Side& side, const Line& line, const Part& part, const space::Vector& x,
-                                         double at, int way, double reach) const;
+  std::optional<EndPlace> outermost(const Side& side, const Line& line, const Part& part, const space::Vector& x,
+                                    double at, int way, double reach) const;
   /// Whether B protrudes by so little beside the stretches known that it does not protrude on this one.
   bool settled(const Side& side, const Stretch& stretch, std::span<const Stretch> known) const;
   Solids swept(const Line& line, const Stretch& stretch, double enough) const;

@@ -104,6 +104,20 @@ bool FieldBoxes::within(const Tetrahedron& corners, double most) const {
 
 bool FieldBoxes::within(const space::Extent& box, double most) const { return within(Asked(box, most, least_half_)); }
 
+double FieldBoxes::most_at(const Vector& x, double off) const {
+  if (!grown({middle_, middle_}, half_).holds(x, 0)) return exact::kInfinity;
+  const Box* box = root_.get();
+  Vector middle = middle_;
+  double half = half_;
+  while (half > off && half > least_half_) {
+    const std::size_t k = (x.x > middle.x ? 1U : 0U) | (x.y > middle.y ? 2U : 0U) | (x.z > middle.z ? 4U : 0U);
+    box = &children(*box, middle, half)[k];
+    middle = part(middle, half, k);
+    half /= 2;
+  }
+  return box->value + space::length(x - middle);
+}
+
 bool FieldBoxes::within(const Asked& asked) const {
   const space::Extent all = grown({middle_, middle_}, half_);
   if (!all.holds(asked.box.low, 0) || !all.holds(asked.box.high, 0)) return false;

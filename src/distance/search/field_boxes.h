@@ -30,6 +30,8 @@ class FieldBoxes {
   bool within(const Tetrahedron& corners, double most) const;
   /// Of a box.
   bool within(const space::Extent& box, double most) const;
+  /// Not less than the value at x, and above it by no more than about `off`; infinite where x is beyond the cube.
+  double most_at(const space::Vector& x, double off) const;
   /// Half the side of the smallest boxes.
   double least_half() const { return least_half_; }
 

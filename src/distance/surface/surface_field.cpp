@@ -18,24 +18,7 @@ using Sheet = space::SurfaceSet::Sheet;
 namespace {
 
 /// Steps that shrink a ball.
-constexpr int kShrinks = 12;
-
-/// The square of the distance.
-double box_gap(const space::GridBox& box, const Vector& x) {
-  const auto gap = [](std::int64_t low, std::int64_t high, double at) {
-    return std::max({static_cast<double>(low) - at, at - static_cast<double>(high), 0.0});
-  };
-  const Vector d{gap(box.low.x, box.high.x, x.x), gap(box.low.y, box.high.y, x.y), gap(box.low.z, box.high.z, x.z)};
-  return space::dot(d, d);
-}
-
-/// visit(face) of those whose boxes are not farther than `most`, which it may lower; stops where it is false.
-template <class Visit>
-void near_faces(const Sheet& sheet, const Vector& x, double& most, Visit visit) {
-  sheet.tree.nearest_first([&](const space::GridBox& box) { return box_gap(box, x); },
-                           [&](double gap) { return gap <= most * most; },
-                           [&](int k) { return visit(sheet.tree.face(k)); });
-}
+constexpr int kShrinks = 40;
 
 /// + if p is left of the line from a to b, seen from above; 0 where doubles do not tell.
 int turn(const Vector& a, const Vector& b, const Vector& p) {
@@ -92,8 +75,60 @@ std::optional<bool> inside_of(const Sheet& sheet, const Vector& x, double away) 
 
 }  // namespace
 
+FaceBoxes::FaceBoxes(const space::BoxTree& tree) {
+  const auto rounded = [](const space::GridBox& box) { return Box{exact::approx(box.low), exact::approx(box.high)}; };
+  int faces = 0;
+  for (const space::BoxTree::Node& node : tree.nodes()) {
+    nodes_.push_back({rounded(node.box), node.first, node.count});
+    faces += node.count;
+  }
+  for (int k = 0; k < faces; ++k) {
+    boxes_.push_back(rounded(tree.box(k)));
+    faces_.push_back(tree.face(k));
+  }
+}
+
+double FaceBoxes::squared_gap(const Box& box, const Vector& x) {
+  const auto gap = [](double low, double high, double at) {
+    const double below = low - at, above = at - high, out = below > above ? below : above;
+    return out > 0 ? out : 0.0;
+  };
+  const Vector d{gap(box.low.x, box.high.x, x.x), gap(box.low.y, box.high.y, x.y), gap(box.low.z, box.high.z, x.z)};
+  return space::dot(d, d);
+}
+
+template <class Visit>
+void FaceBoxes::near(const Vector& x, double& most, Visit visit) const {
+  struct Task {
+    int node;
+    double gap;
+  };
+  std::array<Task, 128> stack;
+  std::size_t depth = 0;
+  stack[depth++] = {0, squared_gap(nodes_[0].box, x)};
+  while (depth > 0) {
+    const Task top = stack[--depth];
+    if (!(top.gap <= most * most)) continue;
+    const Node& node = nodes_[static_cast<std::size_t>(top.node)];
+    if (node.count == 0) {
+      const auto child = static_cast<std::size_t>(node.first);
+      Task one{node.first, squared_gap(nodes_[child].box, x)},
+          two{node.first + 1, squared_gap(nodes_[child + 1].box, x)};
+      if (one.gap < two.gap) std::swap(one, two);
+      if (one.gap <= most * most) stack[depth++] = one;
+      stack[depth++] = two;
+      continue;
+    }
+    for (int k = node.first; k < node.first + node.count; ++k) {
+      const auto face = static_cast<std::size_t>(k);
+      if (squared_gap(boxes_[face], x) <= most * most && !visit(faces_[face])) return;
+    }
+  }
+}
+
 SurfaceField::SurfaceField(const space::SurfaceSet& set, const Vector& by) : set_(set), by_(by), first_{0} {
   for (const auto& sheet : set.sheets()) {
+    boxes_.emplace_back(sheet->tree);
     const space::RayBody& body = sheet->body;
     for (int f = 0; f < static_cast<int>(body.faces.size()); ++f) {
       std::array<Vector, 3>& corners = corners_.emplace_back();
@@ -126,7 +161,7 @@ SurfaceField::Signed SurfaceField::at(const Vector& place) const {
     const auto& sheet = set_.sheets()[k];
     double least = exact::kInfinity;
     int nearest = -1;
-    near_faces(*sheet, x, least, [&](int face) {
+    boxes_[k].near(x, least, [&](int face) {
       const double d = distance(first_[k] + face, place);
       if (d < least || nearest < 0) {
         least = d;
@@ -155,7 +190,7 @@ SurfaceField::Nearest SurfaceField::nearest(const Vector& place, double enough, 
   for (const int part : likely) offer(part, distance_to_place(part, place));
   const Vector x = place - by_;
   for (std::size_t k = 0; k < set_.sheets().size() && best.distance > enough; ++k) {
-    near_faces(*set_.sheets()[k], x, best.distance, [&](int face) {
+    boxes_[k].near(x, best.distance, [&](int face) {
       const int part = first_[k] + face;
       offer(part, distance(part, place));
       return best.distance > enough;
@@ -222,10 +257,18 @@ std::optional<InnerBall> SurfaceField::inner_ball(int part) const {
   const Vector wide = exact::approx(body.high - body.low);
   double radius = std::min({wide.x, wide.y, wide.z}) / 2;  // none is larger
   for (int k = 0; k < kShrinks; ++k) {
-    const Signed there = at(space::plus(from, space::scaled(radius, inward)));
-    const Vector way = there.projection - from;
+    const Vector center = space::plus(from, space::scaled(radius, inward));
+    const double enough = radius * (1 - margin::kBallTouches);
+    double least = enough;
+    int within = -1;  // a face that the ball is to be shrunk by
+    boxes_[sheet].near(center - by_, least, [&](int face) {
+      if (distance(first_[sheet] + face, center) < enough) within = face;
+      return within < 0;
+    });
+    if (within < 0) break;
+    const Vector way = place(first_[sheet] + within, center) - from;
     const double along = 2 * space::dot(way, inward);
-    if (there.distance >= radius * (1 - margin::kBallTouches) || !(along > 0)) break;
+    if (!(along > 0)) break;
     radius = std::min(radius, space::dot(way, way) / along);
   }
   const Vector center = space::plus(from, space::scaled(radius, inward));
@@ -251,7 +294,7 @@ std::optional<std::vector<int>> SurfaceField::near(const Vector& place, double w
   std::vector<int> out;
   for (std::size_t k = 0; k < set_.sheets().size(); ++k) {
     double reach = within;
-    near_faces(*set_.sheets()[k], x, reach, [&](int face) {
+    boxes_[k].near(x, reach, [&](int face) {
       if (distance(first_[k] + face, place) <= within) out.push_back(first_[k] + face);
       return out.size() <= most;
     });

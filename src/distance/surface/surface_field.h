@@ -25,6 +25,30 @@ struct InnerBall {
   double radius = 0;
 };
 
+/// The boxes of a surface's tree, as doubles.
+class FaceBoxes {
+ public:
+  explicit FaceBoxes(const space::BoxTree& tree);
+  /// visit(face) of those whose boxes are not farther from x than `most`, which it may lower, the nearer ones first;
+  /// stops where it is false.
+  template <class Visit>
+  void near(const space::Vector& x, double& most, Visit visit) const;
+
+ private:
+  struct Box {
+    space::Vector low, high;
+  };
+  struct Node {
+    Box box;
+    int first = 0, count = 0;  // as in the tree
+  };
+  static double squared_gap(const Box& box, const space::Vector& x);
+
+  std::vector<Node> nodes_;
+  std::vector<Box> boxes_;
+  std::vector<int> faces_;
+};
+
 class SurfaceField {
  public:
   /// Moved by `by`. Keeps a reference.
@@ -72,6 +96,7 @@ class SurfaceField {
 
   const space::SurfaceSet& set_;
   space::Vector by_;
+  std::vector<FaceBoxes> boxes_;                       // of the surfaces, not moved
   std::vector<std::array<space::Vector, 3>> corners_;  // of the triangles, moved
   std::vector<int> first_;  // the numbers of the triangles of each surface begin there; those of the balls last
 };

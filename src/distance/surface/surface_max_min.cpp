@@ -26,10 +26,14 @@ constexpr std::size_t kFewTriangles = 8;
 constexpr std::size_t kLongList = 24, kShortList = 3;
 /// Of the distance: in larger cells they are many.
 constexpr double kNearShare = 0.25;
+/// Of the longest edge: the triangles near the middle of a wider cell do not bound it.
+constexpr double kWideCell = 0.5;
 /// Of the octree about the surface.
 constexpr int kDepth = 9;
 /// Steps of a run, each as long as the point is clear.
 constexpr int kMostSteps = 60;
+/// Of the distance that is to be exceeded: what is looked at where a run is hardly clear.
+constexpr double kWindowShare = 0.25;
 constexpr int kMostMaxMinCells = 60000;
 constexpr std::size_t kMostTangents = 256;
 
@@ -63,7 +67,10 @@ class InnerBalls {
 class SurfaceTarget : public MaxMinTarget {
  public:
   SurfaceTarget(const SurfaceField& a, const SolidOfSurface* b, const FieldBoxes* boxes, const InnerBalls* balls)
-      : a_(a), b_(b), boxes_(boxes), balls_(balls) {}
+      : a_(a), b_(b), boxes_(boxes), balls_(balls) {
+    for (const auto& sheet : a.set().sheets()) longest_ = std::max(longest_, sheet->longest);
+    for (const auto& ball : a.set().balls()) longest_ = std::max(longest_, ball.radius.to_double());
+  }
 
   double offer_in(const Vector& x, MaxMinBest& best) const override {
     const SurfaceField::Signed here = a_.at(x);
@@ -76,7 +83,12 @@ class SurfaceTarget : public MaxMinTarget {
     for (const Vector& v : cell.corner) reach = std::max(reach, space::length(v - middle));
     const double most = std::max(best.slack(), best.found().value);
     if (surely_within(cell, middle, reach, most)) return false;
-    if (boxes_ && reach > 4 * boxes_->least_half() && boxes_->within(cell.corner, most)) return false;
+    if (boxes_ && reach > 4 * boxes_->least_half()) {
+      const double value = boxes_->most_at(middle, reach / 4);
+      cell.bound = std::min(cell.bound, value + reach);
+      if (!best.worth(cell.bound) || boxes_->within(cell.corner, most)) return false;
+      if (value <= most && reach > kWideCell * longest_) return true;
+    }
     if (cell.sets.empty()) {
       for (const Vector& v : cell.corner) cell.sets.push_back(a_.nearest(v, -exact::kInfinity, {}).part);
     }
@@ -98,7 +110,8 @@ class SurfaceTarget : public MaxMinTarget {
   }
 
   void offer(const Vector& x, MaxMinCell& cell, MaxMinBest& best) const override {
-    const SurfaceField::Nearest near = cell.near ? among(*cell.near, x) : a_.nearest(x, -exact::kInfinity, cell.sets);
+    const SurfaceField::Nearest near =
+        cell.near ? among(*cell.near, x) : a_.nearest(x, std::max(best.slack(), best.found().value), cell.sets);
     cell.sets.push_back(near.part);
     if (!(near.distance > best.found().value)) return;
     const auto inside = cell.outside ? std::optional(false) : a_.inside(x, near.distance);
@@ -211,6 +224,7 @@ class SurfaceTarget : public MaxMinTarget {
   const SolidOfSurface* b_;
   const FieldBoxes* boxes_;
   const InnerBalls* balls_;
+  double longest_ = 0;  // edge of the surface
 };
 
 class FieldOfSurfaces : public ProtrusionField {
@@ -247,15 +261,19 @@ class FieldOfSurfaces : public ProtrusionField {
   std::optional<std::vector<VoidPlace>> voids(double least, double most) const override {
     return void_places(field_, least, most);
   }
-  double run(const Vector& x, const Vector& way, double cut, double size) const override {
+  /// By steps as long as the place is clear. Where that is little, by those of the triangles nearby, whose distances
+  /// are convex: what is farther off than the window is not met within it.
+  double run(const Vector& x, const Vector& way, double cut, double size, double farthest) const override {
     double at = 0;
     std::vector<int> likely;
-    for (int count = 0; count < kMostSteps && at < 4 * size; ++count) {
+    const double window = std::max(cut * kWindowShare, size * margin::kPlaceNoise);
+    for (int count = 0; count < kMostSteps && at < farthest; ++count) {
       const Vector there = space::plus(x, space::scaled(at, way));
       const SurfaceField::Nearest near = field_.nearest(there, cut, likely);
-      const double clear = near.distance - cut;
+      double clear = near.distance - cut;
       if (!(clear > size * margin::kPlaceNoise)) break;
       likely.assign(1, near.part);
+      if (clear < window / 2) clear = std::max(clear, run_within(there, way, cut, size, window));
       at += clear;
     }
     return at;
@@ -266,6 +284,17 @@ class FieldOfSurfaces : public ProtrusionField {
     space::SurfaceSet out;
     out.add(solids, 1);
     return out;
+  }
+
+  double run_within(const Vector& x, const Vector& way, double cut, double size, double window) const {
+    const auto near = field_.near(x, cut + window, kMostTangents);
+    if (!near) return 0;
+    double least = window;
+    for (const int part : *near) {
+      const auto beyond = [&](double s) { return field_.distance(part, space::plus(x, space::scaled(s, way))) - cut; };
+      least = std::min(least, convex_run(beyond, size, window));
+    }
+    return least;
   }
 
   space::SurfaceSet set_;
