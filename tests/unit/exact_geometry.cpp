@@ -103,5 +103,33 @@ TEST(Geometry, CrossingsOfCirclesThatNearlyCoincideAreKnown) {
   }
 }
 
+/// Crossings of displaced lines and of circles in rows and columns of equal shapes: many share a coordinate.
+TEST(Geometry, CrossingsOfMovedCurvesAreComparedAsTheirCoordinates) {
+  Geometry g;
+  const CurveReals far(Real::ratio(7, 2)), other(Real::ratio(14, 4)), root(sqrt(Real(11)));
+  std::vector<std::uint32_t> points;
+  for (const CurveReals& w : {far, other, root})
+    for (std::int64_t x : {0, 5, 9})
+      for (std::int64_t y : {0, 5, 7}) {
+        const auto steep = g.add(SupportingCurve::displaced_line(1, 0, x, w));
+        const auto level = g.add(SupportingCurve::displaced_line(0, 1, y, w));
+        const auto slant = g.add(SupportingCurve::displaced_line(2, -3, 2 * x - 3 * y, w));
+        const auto ring = g.add(SupportingCurve::circle_at(x, y, w)),
+                   right = g.add(SupportingCurve::circle_at(x + 4, y, w)),
+                   above = g.add(SupportingCurve::circle_at(x, y + 4, w)), line = g.add_line(1, 1, x + y + 1);
+        for (const auto& [i, k] : {std::pair{steep, level}, {level, slant}, {steep, slant}})
+          points.push_back(g.add_crossing(i, k, 0));
+        for (const int way : {-1, 1})
+          for (const auto& [i, k] : {std::pair{ring, right}, {ring, above}, {right, above}, {line, ring}})
+            points.push_back(g.add_crossing(i, k, way));
+      }
+  for (const std::uint32_t p : points)
+    for (const std::uint32_t q : points) {
+      const RealPoint at = g.exact(p), by = g.exact(q);
+      EXPECT_EQ(compare_x(g, p, q), compare(at.x, by.x)) << p << " " << q;
+      EXPECT_EQ(compare_y(g, p, q), compare(at.y, by.y)) << p << " " << q;
+    }
+}
+
 }  // namespace exact_geometry
 }  // namespace findspace::exact

@@ -76,24 +76,34 @@ void set_approx(Point& p, const ApproxPoint& at) {
   p.error = std::max(at[0].error, at[1].error);
 }
 
-RealPoint exact_crossing(const Geometry& g, const Point& p) {
+/// Both coordinates, or one alone: that costs less, and along an axis no root.
+enum class Wanted : std::uint8_t { kBoth, kX, kY };
+
+RealPoint exact_crossing(const Geometry& g, const Point& p, Wanted wanted = Wanted::kBoth) {
+  const bool with_x = wanted != Wanted::kY, with_y = wanted != Wanted::kX;
   const SupportingCurve* s = &g.supporting_curves[p.i];
   const SupportingCurve* t = &g.supporting_curves[p.j];
   if (s->circle && !t->circle) std::swap(s, t);
   if (!t->circle) {
     Real det(cross(*s, *t)), c1 = s->offset(), c2 = t->offset();
-    return {(c1 * Real(t->b) - c2 * Real(s->b)) / det, (Real(s->a) * c2 - Real(t->a) * c1) / det};
+    return {with_x ? (c1 * Real(t->b) - c2 * Real(s->b)) / det : Real(),
+            with_y ? (Real(s->a) * c2 - Real(t->a) * c1) / det : Real()};
   }
   if (!s->circle) {
     Real a(s->a), b(s->b), n2(int128(s->a) * s->a + int128(s->b) * s->b);
     Real h = a * t->center_x() + b * t->center_y() - s->offset();
-    Real half = p.root == 0 ? Real() : Real(int(p.root)) * sqrt(crossing_discriminant(*s, *t));
-    return {t->center_x() + (b * half - a * h) / n2, t->center_y() - (a * half + b * h) / n2};
+    const bool rooted = p.root != 0 && ((with_x && s->b != 0) || (with_y && s->a != 0));
+    Real half = rooted ? Real(int(p.root)) * sqrt(crossing_discriminant(*s, *t)) : Real();
+    return {with_x ? t->center_x() + (b * half - a * h) / n2 : Real(),
+            with_y ? t->center_y() - (a * half + b * h) / n2 : Real()};
   }
   Real dx = t->center_x() - s->center_x(), dy = t->center_y() - s->center_y(), l2 = dx * dx + dy * dy;
   Real r2 = s->w() * s->w(), k = (l2 + r2 - t->w() * t->w()) / Real(2);
-  Real half = p.root == 0 ? Real() : Real(int(p.root)) * sqrt(r2 * l2 - k * k);
-  return {s->center_x() + (dx * k + dy * half) / l2, s->center_y() + (dy * k - dx * half) / l2};
+  const auto counts = [](const Real& d) { return !d.is_rational() || d.sign() != 0; };
+  const bool rooted = p.root != 0 && ((with_x && with_y) || counts(with_x ? dy : dx));
+  Real half = rooted ? Real(int(p.root)) * sqrt(r2 * l2 - k * k) : Real();
+  return {with_x ? s->center_x() + (dx * k + dy * half) / l2 : Real(),
+          with_y ? s->center_y() + (dy * k - dx * half) / l2 : Real()};
 }
 
 /// Whether searches may go by the numbers alone: what they compare exactly differs by 2^-43 of the sizes or so.
@@ -115,6 +125,13 @@ ApproxPoint rounded(const RealPoint& p) {
 }
 
 }  // namespace
+
+Real exact_coordinate(const Geometry& g, const Point& p, bool x_axis) {
+  if (p.kind == Point::Kind::kGrid) return Real(x_axis ? p.gx : p.gy);
+  if (p.kind == Point::Kind::kReal) return x_axis ? g.reals[p.i].x : g.reals[p.i].y;
+  const RealPoint at = exact_crossing(g, p, x_axis ? Wanted::kX : Wanted::kY);
+  return x_axis ? at.x : at.y;
+}
 
 std::uint32_t Geometry::add_line(std::int64_t a, std::int64_t b, int128 c) {
   supporting_curves.emplace_back(a, b, c, grid_line_filter(a, b, c));

@@ -4,6 +4,7 @@
 #include "exact/planar/geometry_signs.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "exact/number/wide_int.h"
 #include "exact/planar/geometry_stages.h"
@@ -62,6 +63,53 @@ int fixed_compare(const Geometry& g, const Point& p, const Point& q, bool x_axis
   return (order > 0) - (order < 0);
 }
 
+/// Whether the second curve is the first one moved by integers: the same radius about grid points, or the same normal
+/// and displacement. No allocation; false where that is not seen at once.
+bool is_moved(const SupportingCurve& s, const SupportingCurve& t) {
+  if (s.circle != t.circle || s.grid != t.grid || s.real() || t.real()) return false;
+  if (!s.circle && (s.a != t.a || s.b != t.b)) return false;
+  return &s.w() == &t.w() || (s.w().is_rational() && t.w().is_rational() && s.w() == t.w());
+}
+
+/// Of two lines: how far the offset of the first is beyond that of the second, which is that moved; where it is short.
+std::optional<std::int64_t> gap_of(const SupportingCurve& s, const SupportingCurve& t) {
+  const int128 gap = s.c - t.c;
+  return fits(gap) ? std::optional(std::int64_t(gap)) : std::nullopt;
+}
+
+/// The order of the crossings of s with t and of u with v, where u and v are s and t moved by integers or fractions.
+std::optional<int> order_if_moved(const SupportingCurve& s, const SupportingCurve& t, const SupportingCurve& u,
+                                  const SupportingCurve& v, bool x_axis) {
+  if (!is_moved(s, u) || !is_moved(t, v)) return std::nullopt;
+  if (!s.circle && !t.circle) {
+    const auto c = gap_of(s, u), d = gap_of(t, v);
+    if (!c || !d) return std::nullopt;
+    const int128 by = x_axis ? int128(*c) * t.b - int128(*d) * s.b : int128(*d) * s.a - int128(*c) * t.a;
+    return sign_of(by) * sign_of(cross(s, t));
+  }
+  const bool first = s.circle;
+  const int128 dx = first ? int128(s.a) - u.a : int128(t.a) - v.a, dy = first ? int128(s.b) - u.b : int128(t.b) - v.b;
+  const auto follows = [&](const SupportingCurve& k, const SupportingCurve& l) {
+    if (k.circle) return k.a - dx == l.a && k.b - dy == l.b;
+    const auto gap = gap_of(k, l);
+    return gap && fits(dx) && fits(dy) && k.a * dx + k.b * dy == *gap;
+  };
+  if (!(first ? follows(t, v) : follows(s, u))) return std::nullopt;
+  return sign_of(x_axis ? dx : dy);
+}
+
+/// The order of two crossings of which one is the other moved, as in rows of equal shapes.
+std::optional<int> compare_moved(const Geometry& g, const Point& p, const Point& q, bool x_axis) {
+  if (p.kind != Point::Kind::kCross || q.kind != Point::Kind::kCross) return std::nullopt;
+  const auto &s = g.supporting_curves[p.i], &t = g.supporting_curves[p.j];
+  const auto &u = g.supporting_curves[q.i], &v = g.supporting_curves[q.j];
+  if (p.root == q.root)
+    if (const auto order = order_if_moved(s, t, u, v, x_axis)) return order;
+  // The root of two circles counts from the first of them.
+  const int swapped = u.circle && v.circle ? -q.root : q.root;
+  return p.root == swapped ? order_if_moved(s, t, v, u, x_axis) : std::nullopt;
+}
+
 std::array<Approx, 2> tangent(const Geometry& g, std::uint32_t p, Heading h) {
   const SupportingCurve& k = g.supporting_curves[h.supporting_curve];
   Approx dx = k.y(), dy = -k.x();
@@ -95,7 +143,8 @@ int staged_compare(const Geometry& g, std::uint32_t p, std::uint32_t q, bool x_a
     return x_axis ? sign_of(int128(s.gx) - t.gx) : sign_of(int128(s.gy) - t.gy);
   if (p == q || same_definition(s, t)) return 0;
   if (is_fixed(g, s) && is_fixed(g, t)) return fixed_compare(g, s, t, x_axis);
-  return x_axis ? compare(g.exact_x(p), g.exact_x(q)) : compare(g.exact_y(p), g.exact_y(q));
+  if (const auto order = compare_moved(g, s, t, x_axis)) return *order;
+  return compare(exact_coordinate(g, s, x_axis), exact_coordinate(g, t, x_axis));
 }
 
 int staged_side(const Geometry& g, std::uint32_t p, std::uint32_t supporting_curve) {

@@ -103,6 +103,9 @@ inline SupportingCurve::LineFilter grid_line_filter(std::int64_t a, std::int64_t
   return {x, y, z, ErrorBound::units<7>(x), ErrorBound::units<7>(y), ErrorBound::units<8>(z)};
 }
 
+/// One coordinate of a point, for less than both.
+Real exact_coordinate(const Geometry& g, const Point& p, bool x_axis);
+
 /// Of any line.
 void set_line_filter(SupportingCurve& l);
 
