@@ -3,11 +3,14 @@
 
 #include "plane/sum/minkowski.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
 
+#include "exact/margins/rounding.h"
 #include "plane/base/result_store.h"
 #include "plane/base/stage_observer.h"
 #include "plane/complex/cell_bytes.h"
@@ -98,9 +101,35 @@ std::optional<PieceBox> extent_of(const Operand& a) {
   return box && a.mirrored ? PieceBox{-box->x1, -box->y1, -box->x0, -box->y0} : box;
 }
 
+/// Whether a bounded operand is certainly wider or higher than all that an unbounded one leaves out: it meets that
+/// wherever it is.
+bool sticks_out(const Operand& b, const Operand& unbounded) {
+  const std::optional<PieceBox> most = extent(unbounded.cells);
+  if (!most) return false;
+  PieceBox least{INFINITY, INFINITY, -INFINITY, -INFINITY};
+  for (const Face& f : b.cells.faces) {
+    if (!b.wanted(f.mark)) continue;
+    Index h = f.outer;
+    do {
+      const exact::Point& p = b.cells.point(b.cells.origin(h));
+      least.x0 = std::min(least.x0, p.x + p.error);
+      least.y0 = std::min(least.y0, p.y + p.error);
+      least.x1 = std::max(least.x1, p.x - p.error);
+      least.y1 = std::max(least.y1, p.y - p.error);
+      h = b.cells.next(h);
+    } while (h != f.outer);
+  }
+  const auto exceeds = [](double low, double high, double from, double to) {
+    const double slack = (std::abs(low) + std::abs(high) + std::abs(from) + std::abs(to)) * margin::kRoundings8;
+    return high - low > to - from + slack;
+  };
+  return exceeds(least.x0, least.x1, most->x0, most->x1) || exceeds(least.y0, least.y1, most->y0, most->y1);
+}
+
 SignMap made_sum(const Operand& a, const Operand& b, const Drop& drop) {
   if (unbounded(b)) return unbounded(a) ? CellComplex::uniform(-1) : made_sum(b, a, {});
-  if (is_worth_batches(a.cells) && !unbounded(a) && !a.mirrored)
+  if (unbounded(a) && sticks_out(b, a)) return CellComplex::uniform(-1);
+  if (is_worth_batches(a.cells) && !a.mirrored)
     if (const auto reach = extent_of(b)) {
       const Lazy<std::optional<GridFaces>> of_b;
       if (auto sum = made_in_batches(a.cells, *reach, [&](const CellComplex& part) {
