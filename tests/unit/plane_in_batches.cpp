@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "plane/build/swept.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
 #include "plane/offset/level.h"
@@ -105,6 +106,53 @@ TEST(InBatches, SumsAreThoseOfTheWhole) {
   EXPECT_GT(compared, 10);
 }
 
+/// Of sets that nothing bounds: what a box leaves, and what a box in pieces leaves.
+TEST(InBatches, ContainmentsAreThoseOfTheWhole) {
+  const Region pieces[] = {box(-1, 0, 0, 1), box(1, 0, 2, 1)};
+  const std::array<const Region*, 2> two{&pieces[0], &pieces[1]};
+  int compared = 0;
+  for (const Region& b : {box(-1, 0, 2, 1), unite(two)})
+    for (unsigned seed = 0; seed < 20; ++seed) {
+      const Region set = boxes(seed, 25);
+      const auto left = [&](const CellComplex& part) { return containment_map(part, b); };
+      const auto made = made_in_batches(set, {-2, -1, 1, 0}, left, kSmall);
+      if (!made) continue;
+      EXPECT_TRUE(same(*made, left(set))) << seed;
+      EXPECT_EQ(made->faces[0].mark, 1);
+      ++compared;
+    }
+  EXPECT_GT(compared, 20);
+}
+
+/// Least marks along a slanted window, one way and with an end far from its place.
+TEST(InBatches, SweepsAreThoseOfTheWhole) {
+  const Window window = window_between({Real(-1), Real(2)}, {Real(3), Real(1)});
+  int compared = 0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    const SignMap set = remark(boxes(seed, 20), [](Mark m) { return Mark(1 - 2 * m); });
+    const auto sweep = [&](const CellComplex& part) {
+      return swept(part, window, [](const Sight& s) { return s.inside; });
+    };
+    const auto made = made_in_batches(set, {-3, -2, 1, -1}, sweep, kSmall);
+    if (!made) continue;
+    EXPECT_TRUE(same(*made, sweep(set))) << seed;
+    ++compared;
+  }
+  EXPECT_GT(compared, 10);
+}
+
+TEST(InBatches, WhatIsWiderThanAllThatIsLeftOutMeetsEverywhere) {
+  const Region room = box(0, 0, 7, 4);
+  for (const Region& wide : {box(0, 0, 8, 1), box(3, -2, 4, 3), region_of_disc(0, 0, Real::ratio(5, 2))}) {
+    const SignMap map = containment_map(room, wide);
+    EXPECT_TRUE(map.edges.empty());
+    EXPECT_EQ(map.faces[0].mark, 1);
+  }
+  const SignMap just = containment_map(room, box(1, 1, 8, 3));
+  EXPECT_EQ(mark_of(just, locate(just, {Real(-1), Real(0)})), 0);
+  EXPECT_EQ(just.edges.size(), 1u);
+}
+
 TEST(InBatches, WhatIsWithinReachIsOnePart) {
   const auto make = [](const CellComplex& part) { return part; };
   EXPECT_FALSE(made_in_batches(boxes(1, 40), {-40, -40, 40, 40}, make, kSmall));
@@ -158,6 +206,11 @@ TEST(InBatches, LargeSetsGoThroughBatches) {
   const SignMap sum = contact_map(set, b), level = level_map(sum, Real(1));
   EXPECT_EQ(sum.edges.size(), 4 * 5000u);
   EXPECT_EQ(level.faces.size(), 5001u);
+  // What lies in one of them: boxes of two sizes have room for it along both axes.
+  const SignMap fits = containment_map(set, box(0, 0, 2, 2)),
+                slide = swept(sum, window_along(1, 0, Real(0), Real(1)), [](const Sight&s) { return s.least(); });
+  EXPECT_EQ(fits.edges.size(), 4 * 3333u);
+  EXPECT_EQ(slide.edges.size(), 4 * 5000u);
   Locator in_sum(sum), in_level(level);
   for (std::int64_t k = 0; k < 5000; k += 37) {
     const std::int64_t x = k % 70 * 9, y = k / 70 * 9, a = 2 + k % 3;

@@ -11,6 +11,7 @@
 #include "findspace/error.h"
 #include "plane/complex/face_walk.h"
 #include "plane/complex/overlay.h"
+#include "plane/query/in_batches.h"
 #include "plane/query/moved.h"
 
 namespace findspace::plane {
@@ -144,6 +145,12 @@ std::optional<Real> common_measure(Real x, Real y) {
   return abs(x);
 }
 
+/// How far positions whose windows see something may be from it.
+PieceBox reach_of(const Window& w) {
+  const auto x = w.from.x.interval(), y = w.from.y.interval(), u = w.to.x.interval(), v = w.to.y.interval();
+  return {-std::max(x.hi, u.hi), -std::max(y.hi, v.hi), -std::min(x.lo, u.lo), -std::min(y.lo, v.lo)};
+}
+
 }  // namespace
 
 std::optional<GridPoint> primitive_direction(const RealVector& d) {
@@ -173,9 +180,13 @@ CellComplex swept(const CellComplex& m, const Window& window, const std::functio
     const Mark mark = m.faces[0].mark;
     return CellComplex::uniform(rule({mark, mark, mark}));
   }
-  SweepStrips strips(m, window);
-  Arrangement a = arrange(std::move(strips.curves.geometry), std::move(strips.curves.pieces));
-  return extract(std::move(a), Sights(m, strips, a).marks(rule));
+  const auto at_once = [&](const CellComplex& part) {
+    SweepStrips strips(part, window);
+    Arrangement a = arrange(std::move(strips.curves.geometry), std::move(strips.curves.pieces));
+    return extract(std::move(a), Sights(part, strips, a).marks(rule));
+  };
+  if (auto map = made_in_batches(m, reach_of(window), at_once)) return *std::move(map);
+  return at_once(m);
 }
 
 CellComplex least_along(const CellComplex& m, std::span<const RealVector> path) {

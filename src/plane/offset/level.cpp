@@ -24,19 +24,12 @@ SignMap disc_contact(Closed&& closed, const exact::Real& radius) {
   return contact_map(std::forward<Closed>(closed), region_of_disc(0, 0, radius));
 }
 
-}  // namespace
-
-SignMap distance_map(const Region& closed, const exact::Real& radius) {
+/// Of a part, or of a set that is not made in parts.
+template <class Closed>
+SignMap distance_at_once(Closed&& closed, const exact::Real& radius) {
   if (auto map = grid_offset(closed, is_in, radius)) return *std::move(map);
-  return disc_contact(closed, radius);
+  return disc_contact(std::forward<Closed>(closed), radius);
 }
-
-SignMap distance_map(Region&& closed, const exact::Real& radius) {
-  if (auto map = grid_offset(closed, is_in, radius)) return *std::move(map);
-  return disc_contact(std::move(closed), radius);
-}
-
-namespace {
 
 /// The base is copied where it is kept.
 template <class Base>
@@ -44,26 +37,45 @@ SignMap outer_level(Base&& base, const exact::Real& level) {
   if (auto map = grid_offset(
           base, [](Mark m) { return m <= 0; }, level))
     return *std::move(map);
-  return distance_map(remark(std::forward<Base>(base), [](Mark m) { return Mark(m <= 0); }), level);
+  return distance_at_once(remark(std::forward<Base>(base), [](Mark m) { return Mark(m <= 0); }), level);
+}
+
+template <class Base>
+SignMap inner_level(Base&& base, const exact::Real& level) {
+  if (auto map = grid_offset(base, [](Mark m) { return m >= 0; }, -level, {1, 0, -1})) return *std::move(map);
+  return negated(distance_at_once(remark(std::forward<Base>(base), [](Mark m) { return Mark(m >= 0); }), -level));
+}
+
+/// Of a set that is outside far away: of each part by itself, where it is large. A level below 0 lies within its part.
+template <class Set, class Make>
+SignMap by_parts(Set&& set, const exact::Real& level, Make&& make) {
+  const double far = std::max(0.0, level.interval().hi);
+  if (auto map = made_in_batches(set, {-far, -far, far, far}, make)) return *std::move(map);
+  return make(std::forward<Set>(set));
+}
+
+template <class Closed>
+SignMap distance_of(Closed&& closed, const exact::Real& radius) {
+  const auto make = [&](auto&& part) { return distance_at_once(std::forward<decltype(part)>(part), radius); };
+  return is_in(closed.faces[0].mark) ? make(std::forward<Closed>(closed))
+                                     : by_parts(std::forward<Closed>(closed), radius, make);
 }
 
 template <class Base>
 SignMap level_of(Base&& base, const exact::Real& level) {
-  int side = level.sign();
+  const int side = level.sign();
   if (side == 0) return std::forward<Base>(base);
-  if (side > 0) {
-    const double far = level.interval().hi;
-    if (base.faces[0].mark > 0)
-      if (auto map = made_in_batches(base, {-far, -far, far, far},
-                                     [&](const SignMap& part) { return outer_level(part, level); }))
-        return *std::move(map);
-    return outer_level(std::forward<Base>(base), level);
-  }
-  if (auto map = grid_offset(base, [](Mark m) { return m >= 0; }, -level, {1, 0, -1})) return *std::move(map);
-  return negated(distance_map(remark(std::forward<Base>(base), [](Mark m) { return Mark(m >= 0); }), -level));
+  const auto make = [&](auto&& part) {
+    return side > 0 ? outer_level(std::forward<decltype(part)>(part), level)
+                    : inner_level(std::forward<decltype(part)>(part), level);
+  };
+  return base.faces[0].mark > 0 ? by_parts(std::forward<Base>(base), level, make) : make(std::forward<Base>(base));
 }
 
 }  // namespace
+
+SignMap distance_map(const Region& closed, const exact::Real& radius) { return distance_of(closed, radius); }
+SignMap distance_map(Region&& closed, const exact::Real& radius) { return distance_of(std::move(closed), radius); }
 
 SignMap level_map(const SignMap& base, const exact::Real& level) { return level_of(base, level); }
 SignMap level_map(SignMap&& base, const exact::Real& level) { return level_of(std::move(base), level); }

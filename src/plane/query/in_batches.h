@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Sums and offsets of a large bounded set part by part: what lies so far apart that the results lie apart is computed
-// in batches, and the results are written side by side. Guarantee: the same set; boxes only choose, and results whose
-// boxes meet are made together. Cost: that of the parts; memory for some batches at a time, beside the set and the
-// result. Batches run on all threads, and the result does not depend on how many there are. Keywords: locality, tiling,
-// divide and conquer, working set.
+// Sums, offsets and sweeps of a large bounded set, or of its complement, part by part: what lies so far apart that the
+// results lie apart is computed in batches, and the results are written side by side. Guarantee: the same set; boxes
+// only choose, and results whose boxes meet are made together. Cost: that of the parts; memory for some batches at a
+// time, beside the set and the result. Batches run on all threads, and the result does not depend on how many there
+// are. Keywords: locality, tiling, divide and conquer, working set.
 #pragma once
 
 #include <functional>
