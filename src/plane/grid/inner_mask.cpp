@@ -15,6 +15,8 @@ namespace {
 bool longer(const LatticeRun& p, const LatticeRun& q) { return p.last - p.first > q.last - q.first; }
 bool by_place(const LatticeRun& p, const LatticeRun& q) { return p.row != q.row ? p.row < q.row : p.first < q.first; }
 
+constexpr double kFarMore = 4;  // than the effort: a pair of many is left out
+
 /// Lattice points and cells whose sums are cells inside.
 struct Factors {
   std::vector<LatticeRun> points, cells;
@@ -22,11 +24,12 @@ struct Factors {
   bool empty() const { return points.empty() || cells.empty(); }
   LatticeBox box() const { return LatticeBox::around(points) + LatticeBox::around(cells); }
 
-  /// Keeps as many runs of points as the effort allows, the longest.
+  /// Keeps as many runs of points as the effort allows, the longest; none where the cells alone cost far more.
   void limit(double effort) {
     const LatticeBox of_cells = LatticeBox::around(cells);
     const double words =
         double(of_cells.row1 - of_cells.row0 + 1) * (double(of_cells.column1 - of_cells.column0) / 64 + 2);
+    if (words > kFarMore * effort) return points.clear();
     const auto most = std::size_t(std::max(effort / words, 1.0));
     if (points.size() <= most) return;
     std::nth_element(points.begin(), points.begin() + std::ptrdiff_t(most), points.end(), longer);
@@ -73,7 +76,7 @@ InnerMask::InnerMask(std::span<const Pair> pairs, std::int64_t side, double effo
   std::vector<LatticeSum> sums;
   for (Factors& f : factors) {
     f.limit(effort / double(factors.size()));
-    sums.push_back({f.points, f.cells});
+    if (!f.points.empty()) sums.push_back({f.points, f.cells});
   }
   Bitmap inside(box);
   // Both of a pair at once; of all at once too much would be kept.
