@@ -29,15 +29,24 @@ BoxSlabs::BoxSlabs(std::vector<Entry> boxes, std::size_t most) {
     for (const Entry& e : boxes) entries += slab(e.y1) - slab(e.y0) + 1;
     if (slabs == 1 || entries <= most * boxes.size()) break;
   }
+  std::vector<Index> lowest(slabs + 1, 0);
   for (Entry& e : boxes) {
     e.slab = slab(e.y0);
+    ++lowest[e.slab + 1];
     for (Index b = e.slab; b <= slab(e.y1); ++b) ++start_[b + 1];
   }
-  for (std::size_t b = 0; b < slabs; ++b) start_[b + 1] += start_[b];
+  for (std::size_t b = 0; b < slabs; ++b) {
+    start_[b + 1] += start_[b];
+    lowest[b + 1] += lowest[b];
+  }
+  boxes_.resize(boxes.size());
   entries_.resize(start_.back());
   std::vector<Index> at(start_.begin(), start_.end() - 1);
-  for (const Entry& e : boxes)
-    for (Index b = e.slab; b <= slab(e.y1); ++b) entries_[at[b]++] = e;
+  for (const Entry& e : boxes) {
+    const Index place = lowest[e.slab]++;
+    boxes_[place] = e;
+    for (Index b = e.slab; b <= slab(e.y1); ++b) entries_[at[b]++] = place;
+  }
 }
 
 BoxSlabs edge_slabs(const GridFace& face) {

@@ -31,7 +31,7 @@ class BoxSlabs {
     Index first = slab(low), last = slab(high);
     for (Index b = first; b <= last; ++b)
       for (Index k = start_[b]; k < start_[b + 1]; ++k) {
-        const Entry& e = entries_[k];
+        const Entry& e = boxes_[entries_[k]];
         if (e.y0 <= high && e.y1 >= low && std::max(e.slab, first) == b && !visit(e)) return false;
       }
     return true;
@@ -55,7 +55,8 @@ class BoxSlabs {
 
   double bottom_ = 0, top_ = 0, per_step_ = 0;
   std::vector<Index> start_;
-  std::vector<Entry> entries_;  // slab after slab
+  std::vector<Entry> boxes_;    // by the lowest slab
+  std::vector<Index> entries_;  // of boxes, slab after slab, in the order in which they were given
 };
 
 /// Of the edges of a face, by the corners that they leave.
