@@ -30,6 +30,12 @@ namespace {
 constexpr std::size_t kManyEdges = 200'000;
 /// Where more show in a window, a map of the whole plane may cost less.
 constexpr std::size_t kMostEdges = 12;
+/// Of a map, and values of it, from where on places are found by tables.
+constexpr std::size_t kEdgesToPrepare = 64;
+constexpr int kValuesAtOnce = 16;
+
+bool is_not_outside(Mark m) { return m <= 0; }
+bool is_not_inside(Mark m) { return m >= 0; }
 
 }  // namespace
 
@@ -71,14 +77,24 @@ SignMap SignedDistance::sign_map(const exact::Real& level) const {
   return level_map(base(), level);
 }
 
+SignedDistance::Prepared::Prepared(const SignMap& base)
+    : cells(base), inside(base, is_not_outside), outside(base, is_not_inside) {}
+
+/// From some values on; nothing where the map is small.
+const SignedDistance::Prepared* SignedDistance::prepared() const {
+  if (base().edges.size() < kEdgesToPrepare || base_->values.fetch_add(1) < kValuesAtOnce) return nullptr;
+  std::call_once(base_->prepared, [this] { base_->many = std::make_shared<const Prepared>(base()); });
+  return base_->many.get();
+}
+
 std::optional<PlanarAnswer> SignedDistance::value(const exact::RealPoint& p) const {
   if (!defined_) return std::nullopt;
-  Mark sign = mark_of(base(), locate(base(), p));
+  const Prepared* many = prepared();
+  Mark sign = many ? many->cells.mark(p) : mark_of(base(), locate(base(), p));
   if (sign == 0) return exact_answer(exact::Real(), Way::kMap);
-  auto n = sign > 0 ? nearest(
-                          base(), [](Mark m) { return m <= 0; }, p)
-                    : nearest(
-                          base(), [](Mark m) { return m >= 0; }, p);
+  const auto n = many       ? (sign > 0 ? many->inside : many->outside).nearest(p)
+                 : sign > 0 ? nearest(base(), is_not_outside, p)
+                            : nearest(base(), is_not_inside, p);
   if (!n) return lowest_answer(Way::kMap);  // inside everywhere
   return exact_answer(sign > 0 ? n->distance : -n->distance, Way::kMap, std::optional(n->at));
 }

@@ -66,13 +66,24 @@ class SignedDistance : public TDistance {
     std::unique_ptr<const BoundaryForms> outside, inside;
   };
 
+  /// A large map, for many places.
+  struct Prepared {
+    explicit Prepared(const plane::SignMap& base);
+    plane::Locator cells;
+    plane::NearestSearch inside, outside;  // the nearest place there
+  };
+
   /// Of gamma1, made when first asked for; copies share it.
   struct Base {
     std::once_flag made;
     plane::SignMap map;
     std::optional<std::pair<plane::SharedRegion, plane::SharedRegion>> of;  // fixed, moving
     std::atomic<bool> asked = false;                                        // for it, or for a level
+    std::atomic<int> values = 0;                                            // that were asked for
+    std::once_flag prepared;
+    std::shared_ptr<const Prepared> many;  // made when there were some
   };
+  const Prepared* prepared() const;
 
   std::shared_ptr<Base> base_ = std::make_shared<Base>();
   std::shared_ptr<const WindowDistance> window_;  // of near(), whose sign maps are those of a window

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "exact/margins/plane.h"
+#include "plane/complex/extent.h"
 
 namespace findspace::plane {
 namespace {
@@ -132,39 +133,79 @@ std::optional<Nearest> exact_edge(const CellComplex& c, Index edge, const RealPo
   return Nearest{d.sign() < 0 ? -d : d, at, {1, edge}};
 }
 
-/// Of the vertices and edges whose mark is wanted, those that are as near as the nearest.
-std::vector<Nearest> all_nearest(const CellComplex& c, const std::function<bool(Mark)>& wanted, const RealPoint& from) {
-  const double x = around(from.x).value, y = around(from.y).value;
-  double scale = std::abs(x) + std::abs(y), greatest = 0, reach = std::numeric_limits<double>::infinity();
+/// How far the coordinates of the vertices reach.
+double greatest_coordinate(const CellComplex& c) {
+  double greatest = 0;
   for (Index v = 0; v < c.vertices.size(); ++v)
     greatest = std::max({greatest, std::abs(c.point(v).x), std::abs(c.point(v).y)});
-  scale += greatest;
-  // Rounding can only exchange candidates that are as near as `reach`, a little beyond the least; their distances are
-  // exact, and compared so where they are closed forms.
-  const double slack = scale * margin::kNearestCandidate;
-  std::vector<Candidate> all;
-  const auto take = [&](double d, Mark mark, Cell cell) {
-    if (d > reach || !wanted(mark)) return;
-    all.push_back({d, cell});
-    reach = std::min(reach, d + (scale + d) * margin::kNearestCandidate);
-  };
-  for (Index v = 0; v < c.vertices.size(); ++v) {
-    const double dx = c.point(v).x - x, dy = c.point(v).y - y;
-    take(std::sqrt(dx * dx + dy * dy), c.vertices[v].mark, {0, v});
+  return greatest;
+}
+
+/// Vertices and edges that may be nearest to a place, by numbers.
+class Candidates {
+ public:
+  Candidates(const CellComplex& c, const RealPoint& from, double greatest)
+      : c_(c),
+        from_(from),
+        x_(around(from.x).value),
+        y_(around(from.y).value),
+        scale_(std::abs(x_) + std::abs(y_) + greatest),
+        slack_(scale_ * margin::kNearestCandidate) {}
+
+  void add_vertex(Index v) {
+    const double dx = c_.point(v).x - x_, dy = c_.point(v).y - y_;
+    take(std::sqrt(dx * dx + dy * dy), {0, v});
   }
+  void add_edge(Index e) {
+    if (!is_beyond(c_, e, x_, y_, reach_) && projection_inside(c_, e, x_, y_, slack_))
+      take(edge_distance(c_, e, x_, y_), {1, e});
+  }
+  /// Farther than anything that counts, more than rounding says.
+  bool is_out_of_reach(const PieceBox& box) const { return distance(box) > reach_ + 2 * slack_; }
+  double distance(const PieceBox& box) const {
+    return std::hypot(std::max({box.x0 - x_, x_ - box.x1, 0.0}), std::max({box.y0 - y_, y_ - box.y1, 0.0}));
+  }
+
+  /// Those that are as near as the nearest, vertices first, in the order of their numbers.
+  std::vector<Nearest> nearest() {
+    std::erase_if(all_, [&](const Candidate& k) { return k.distance > reach_; });
+    std::sort(all_.begin(), all_.end(), [](const Candidate& p, const Candidate& q) {
+      return p.cell.dimension != q.cell.dimension ? p.cell.dimension < q.cell.dimension : p.cell.index < q.cell.index;
+    });
+    std::vector<Nearest> best;
+    for (const Candidate& k : all_) {
+      auto n = k.cell.dimension == 0 ? exact_vertex(c_, k.cell.index, from_) : exact_edge(c_, k.cell.index, from_);
+      if (!n) continue;
+      const int order = best.empty() ? 0 : compare_if_closed(n->distance, best.front().distance);
+      if (order < 0) best.clear();
+      if (order <= 0) best.push_back(*std::move(n));
+    }
+    return best;
+  }
+
+ private:
+  /// Rounding can only exchange candidates that are as near as the reach, a little beyond the least; their distances
+  /// are exact, and compared so where they are closed forms.
+  void take(double d, Cell cell) {
+    if (d > reach_) return;
+    all_.push_back({d, cell});
+    reach_ = std::min(reach_, d + (scale_ + d) * margin::kNearestCandidate);
+  }
+
+  const CellComplex& c_;
+  const RealPoint& from_;
+  double x_, y_, scale_, slack_, reach_ = std::numeric_limits<double>::infinity();
+  std::vector<Candidate> all_;
+};
+
+/// Of the vertices and edges whose mark is wanted, those that are as near as the nearest.
+std::vector<Nearest> all_nearest(const CellComplex& c, const std::function<bool(Mark)>& wanted, const RealPoint& from) {
+  Candidates all(c, from, greatest_coordinate(c));
+  for (Index v = 0; v < c.vertices.size(); ++v)
+    if (wanted(c.vertices[v].mark)) all.add_vertex(v);
   for (Index e = 0; e < c.edges.size(); ++e)
-    if (!is_beyond(c, e, x, y, reach) && projection_inside(c, e, x, y, slack))
-      take(edge_distance(c, e, x, y), c.edges[e].mark, {1, e});
-  std::vector<Nearest> best;
-  for (const Candidate& k : all) {
-    if (k.distance > reach) continue;
-    auto n = k.cell.dimension == 0 ? exact_vertex(c, k.cell.index, from) : exact_edge(c, k.cell.index, from);
-    if (!n) continue;
-    const int order = best.empty() ? 0 : compare_if_closed(n->distance, best.front().distance);
-    if (order < 0) best.clear();
-    if (order <= 0) best.push_back(*std::move(n));
-  }
-  return best;
+    if (wanted(c.edges[e].mark)) all.add_edge(e);
+  return all.nearest();
 }
 
 /// The middle of an arc, whose every point is as far from the centre.
@@ -199,6 +240,75 @@ std::optional<Nearest> nearest(const CellComplex& c, const std::function<bool(Ma
   std::vector<Nearest> all = all_nearest(c, wanted, from);
   if (all.empty()) return std::nullopt;
   return std::move(all.front());
+}
+
+NearestSearch::NearestSearch(const CellComplex& c, const std::function<bool(Mark)>& wanted)
+    : c_(c), greatest_(greatest_coordinate(c)) {
+  std::vector<Item> items;
+  for (Index v = 0; v < c.vertices.size(); ++v) {
+    const exact::Point& p = c.point(v);
+    if (wanted(c.vertices[v].mark)) items.push_back({{p.x, p.y, p.x, p.y}, {0, v}});
+  }
+  for (Index e = 0; e < c.edges.size(); ++e)
+    if (wanted(c.edges[e].mark)) items.push_back({edge_box(c, e), {1, e}});
+  if (!items.empty()) build(items);
+  cells_.reserve(items.size());
+  for (const Item& item : items) cells_.push_back(item.cell);
+}
+
+/// The items of a node stand beside each other.
+void NearestSearch::build(std::span<Item> all) {
+  constexpr std::size_t kFewItems = 8;
+  struct Todo {
+    Index node, first, end;
+  };
+  std::vector<Todo> todo{{0, 0, Index(all.size())}};
+  nodes_.emplace_back();
+  while (!todo.empty()) {
+    const Todo at = todo.back();
+    todo.pop_back();
+    const std::span<Item> items = all.subspan(at.first, at.end - at.first);
+    PieceBox box = items[0].box;
+    for (const Item& item : items) box = joined(box, item.box);
+    nodes_[at.node] = {box, at.first, at.end, kNone};
+    if (items.size() <= kFewItems) continue;
+    const bool wide = box.x1 - box.x0 >= box.y1 - box.y0;
+    const auto middle = items.begin() + std::ptrdiff_t(items.size() / 2);
+    std::nth_element(items.begin(), middle, items.end(), [wide](const Item& p, const Item& q) {
+      return wide ? p.box.x0 + p.box.x1 < q.box.x0 + q.box.x1 : p.box.y0 + p.box.y1 < q.box.y0 + q.box.y1;
+    });
+    const Index child = Index(nodes_.size()), half = at.first + Index(items.size() / 2);
+    nodes_[at.node].child = child;
+    nodes_.resize(nodes_.size() + 2);
+    todo.push_back({child, at.first, half});
+    todo.push_back({child + 1, half, at.end});
+  }
+}
+
+std::optional<Nearest> NearestSearch::nearest(const RealPoint& from) const {
+  if (nodes_.empty()) return std::nullopt;
+  Candidates all(c_, from, greatest_);
+  std::vector<Index> todo{0};
+  while (!todo.empty()) {
+    const Node& node = nodes_[todo.back()];
+    todo.pop_back();
+    if (all.is_out_of_reach(node.box)) continue;
+    if (node.child != kNone) {
+      const bool first_is_nearer = all.distance(nodes_[node.child].box) < all.distance(nodes_[node.child + 1].box);
+      todo.push_back(node.child + (first_is_nearer ? 1 : 0));
+      todo.push_back(node.child + (first_is_nearer ? 0 : 1));
+      continue;
+    }
+    for (Index k = node.first; k < node.end; ++k) {
+      if (cells_[k].dimension == 0)
+        all.add_vertex(cells_[k].index);
+      else
+        all.add_edge(cells_[k].index);
+    }
+  }
+  std::vector<Nearest> best = all.nearest();
+  if (best.empty()) return std::nullopt;
+  return std::move(best.front());
 }
 
 std::optional<NearestInClosure> nearest_in_closure(const Region& region, const Region& closed, const RealPoint& from) {

@@ -9,7 +9,10 @@
 
 #include <functional>
 #include <optional>
+#include <span>
+#include <vector>
 
+#include "plane/complex/broad_phase.h"
 #include "plane/complex/cell_complex.h"
 #include "plane/query/locate.h"
 
@@ -24,6 +27,31 @@ struct Nearest {
 /// Among edges and vertices whose mark is wanted; nothing if there are none.
 std::optional<Nearest> nearest(const CellComplex& complex, const std::function<bool(Mark)>& wanted,
                                const exact::RealPoint& from);
+
+/// The same, prepared for many places. Keeps a reference to the complex. Cost: O(n log n) to build, 30 bytes a cell; a
+/// place looks at the cells about as near as the nearest. Threads: safe.
+class NearestSearch {
+ public:
+  NearestSearch(const CellComplex& complex, const std::function<bool(Mark)>& wanted);
+  std::optional<Nearest> nearest(const exact::RealPoint& from) const;
+
+ private:
+  struct Item {
+    PieceBox box;
+    Cell cell;
+  };
+  struct Node {
+    PieceBox box;
+    Index first = 0, end = 0;  // of its cells
+    Index child = kNone;       // the first of two; kNone: a leaf
+  };
+  void build(std::span<Item> items);
+
+  const CellComplex& c_;
+  double greatest_;  // of the coordinates
+  std::vector<Cell> cells_;
+  std::vector<Node> nodes_;
+};
 
 /// The point of a region's closure that is nearest to a position, and whether the region has it.
 struct NearestInClosure {
