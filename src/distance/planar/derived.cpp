@@ -34,6 +34,10 @@ SmoothForm opposite(SmoothForm f) {
   return {-f.value, -f.gx, -f.gy, -f.above, -f.below, [of = std::move(f.curve)] { return rotated_round(of()); }};
 }
 
+bool is_above_everywhere(const SignMap& map) {
+  return map.faces.size() == 1 && map.faces[0].mark > 0 && map.edges.empty() && map.vertices.empty();
+}
+
 class CutOff : public TDistance {
  public:
   CutOff(TDistancePointer f, Real floor, bool negated)
@@ -126,7 +130,11 @@ class Greater : public TDistance {
 
   SignMap sign_map(const Real& level) const override {
     if (!defined()) return CellComplex::uniform(1);
-    SignMap f = f_->sign_map(level), g = g_->sign_map(level);
+    // Of a small and a large shape the second is above at once: the large one stands out of the small one everywhere.
+    SignMap g = g_->sign_map(level);
+    if (is_above_everywhere(g)) return g;
+    SignMap f = f_->sign_map(level);
+    if (is_above_everywhere(f)) return f;
     std::array<const CellComplex*, 2> both{&f, &g};
     return plane::overlay(both, [](std::span<const Mark> m) { return std::max(m[0], m[1]); });
   }

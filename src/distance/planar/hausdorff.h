@@ -19,15 +19,16 @@
 #include "distance/planar/max_min_boxes.h"
 #include "distance/planar/signed_distance.h"
 #include "distance/planar_features/t_distance.h"
+#include "plane/complex/shared_region.h"
 
 namespace findspace::distance {
 
 class DirectedHausdorff : public TDistance {
  public:
   /// mu(B+p, A); closed shapes. +infinity if B is not bounded.
-  DirectedHausdorff(plane::Region b, plane::Region a);
+  DirectedHausdorff(plane::SharedRegion b, plane::SharedRegion a);
 
-  bool defined() const override { return b_.faces[0].mark <= 0; }
+  bool defined() const override { return b_->faces[0].mark <= 0; }
   plane::SignMap sign_map(const exact::Real& level) const override;
   std::optional<PlanarAnswer> value(const exact::RealPoint& p) const override;
   exact::RealPoint seed() const override;
@@ -49,11 +50,14 @@ class DirectedHausdorff : public TDistance {
   const Trees& trees() const;
   std::optional<FarthestPlace> greatest(const exact::RealPoint& p, double least_value) const;
 
-  plane::Region b_, a_;
-  FarthestFromSet search_;
-  mutable std::once_flag made_, trees_made_;
+  const FarthestFromSet& search() const;
+  double scale(double px, double py) const;
+
+  plane::SharedRegion b_, a_;
+  mutable std::once_flag made_, trees_made_, search_made_;  // what is made when first needed:
+  mutable std::unique_ptr<const FarthestFromSet> search_;
   mutable std::unique_ptr<const Trees> trees_;
-  mutable std::unique_ptr<SignedDistance> containment_;  // eta1, made when first needed
+  mutable std::unique_ptr<SignedDistance> containment_;  // eta1
 };
 
 }  // namespace findspace::distance
