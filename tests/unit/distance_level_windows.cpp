@@ -4,10 +4,13 @@
 // The cells of levels in small windows are those of the whole plane.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "distance/planar/shape_pair.h"
+#include "distance/planar_features/near_parts.h"
 #include "distance/planar_least/extremum.h"
 #include "distance/planar_least/level_cover.h"
 #include "distance/planar_least/level_probe.h"
@@ -91,6 +94,34 @@ TEST(LevelWindows, NotWhereItIsNotKnownHowFarToLook) {
   const auto f = pair.distance(Which::kGamma1);
   EXPECT_FALSE(LevelCover::of(*f, CellComplex::uniform(1), -1, at(0, 0)).has_value());
   EXPECT_FALSE(LevelCover::of(*pair.distance(Which::kGamma2), CellComplex::uniform(1), 1, at(0, 0)).has_value());
+}
+
+/// Joined pair by pair until no two meet, boxes are the same whatever the order.
+TEST(LevelWindows, BoxesThatMeetAreJoined) {
+  const auto by_pairs = [](std::vector<plane::PieceBox> boxes) {
+    for (std::size_t i = 0; i < boxes.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        if (boxes[i].meets(boxes[k])) {
+          boxes[k] = plane::joined(boxes[k], boxes[i]);
+          boxes.erase(boxes.begin() + std::ptrdiff_t(i));
+          i = k = 0;
+        }
+    return boxes.size();
+  };
+  for (int count : {0, 1, 7, 60, 200})
+    for (int spread : {20, 60, 400}) {
+      std::vector<plane::PieceBox> boxes;
+      for (int k = 0; k < count; ++k) {
+        const double x = k * k * 7919 % spread, y = k * 1047 % spread;
+        boxes.push_back({x, y, x + k % 4, y + k % 3});
+      }
+      const auto apart = boxes_apart(boxes);
+      EXPECT_EQ(apart.size(), by_pairs(boxes)) << count << " " << spread;
+      for (std::size_t i = 0; i < apart.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k) EXPECT_TRUE(!apart[i].meets(apart[k]) && apart[k].x0 <= apart[i].x0);
+      for (const plane::PieceBox& b : boxes)
+        EXPECT_EQ(std::count_if(apart.begin(), apart.end(), [&](const plane::PieceBox& a) { return a.meets(b); }), 1);
+    }
 }
 
 }  // namespace distance_level_windows

@@ -10,8 +10,10 @@
 
 #include "exact/margins/planar_distance.h"
 #include "exact/margins/rounding.h"
+#include "plane/base/union_find.h"
 #include "plane/complex/overlay.h"
 #include "plane/complex/primitives.h"
+#include "plane/complex/side_by_side.h"
 #include "plane/complex/simplify.h"
 #include "plane/query/topology.h"
 
@@ -56,24 +58,33 @@ double reach(const FeatureTree& set) {
   return most * margin::kUpward + margin::kUpwardSteps;
 }
 
+/// In rounds: joined boxes may meet others. Whatever the order, the same boxes are left.
 std::vector<PieceBox> boxes_apart(std::vector<PieceBox> boxes) {
   for (bool joined = true; joined;) {
     joined = false;
-    std::sort(boxes.begin(), boxes.end(), [](const PieceBox& a, const PieceBox& b) {
-      return std::array{a.x0, a.y0, a.x1, a.y1} < std::array{b.x0, b.y0, b.x1, b.y1};
+    plane::UnionFind same(boxes.size());
+    plane::meeting_boxes(boxes, [&](plane::Index i, plane::Index k) {
+      same.unite(i, k);
+      return joined = true;
     });
+    if (!joined) break;
     std::vector<PieceBox> apart;
-    for (const PieceBox& b : boxes) {
-      const auto meets = std::find_if(apart.begin(), apart.end(), [&](const PieceBox& a) { return a.meets(b); });
-      if (meets == apart.end()) {
-        apart.push_back(b);
-        continue;
+    std::vector<std::size_t> place(boxes.size());
+    for (plane::Index k = 0; k < boxes.size(); ++k) {
+      const plane::Index first = same.find(k);  // the least of its set
+      if (first == k) {
+        place[k] = apart.size();
+        apart.push_back(boxes[k]);
+      } else {
+        PieceBox& all = apart[place[first]];
+        all = plane::joined(all, boxes[k]);
       }
-      *meets = plane::joined(*meets, b);
-      joined = true;
     }
     boxes = std::move(apart);
   }
+  std::sort(boxes.begin(), boxes.end(), [](const PieceBox& a, const PieceBox& b) {
+    return std::array{a.x0, a.y0, a.x1, a.y1} < std::array{b.x0, b.y0, b.x1, b.y1};
+  });
   return boxes;
 }
 
