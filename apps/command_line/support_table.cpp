@@ -68,7 +68,7 @@ constexpr std::string_view kSpace = R"(# Values at a position
 `eta2`, `delta2` | exact · quick | exact · quick | exact or enclosed 2^-36 · quick | exact · slow | enclosed 2^-36 · slow | enclosed · slow | exact · quick
 `protrusion`, `hausdorff`, `h` | enclosed 1e-12 · quick | exact · quick | exact · quick | enclosed 1e-12 · fast | enclosed 1e-12 · fast | enclosed · fast | enclosed 1e-12 · fast
 `diameter` | exact · quick | exact · quick | exact · quick | exact · fast | exact · quick | exact or enclosed 2^-16 · fast | exact · quick
-along a direction, every distance | exact · quick | exact · quick | exact · quick | exact · slow | exact or enclosed 2^-30 · fast | `gap` enclosed, others refused · slow | exact · slow
+along a direction, every distance | exact · quick | exact · quick | exact · quick | exact · slow | exact or enclosed 2^-30 · fast | enclosed · slow | exact · slow
 # Truth at a position
 where the value is exact | exact
 where it is enclosed | refused near the level
@@ -173,8 +173,8 @@ Some cells need more words:
 
 | cells | remark |
 |---|---|
-| cut | of two such shapes, or one in a complement, only values at a position are computed, between wide ends ([distances.md](distances.md#two-such-shapes)) |
-| complements of round shapes | as "round"; complements of cut shapes are refused |
+| cut | of two such shapes, or one and a complement, values and lines are told between wide ends ([distances.md](distances.md#two-such-shapes)) |
+| complements of round shapes | as "round"; complements of cut shapes are refused, and two complements |
 | `margin` below 0, round convex | exact into a shape that is as round or rounder |
 | `eta2` in a ball | of more than 40 corners or balls: enclosed 2^-36 |
 | fits of zero clearance, round | where other than flat faces hold the shape, or no single part holds it, the value may have no upper end |

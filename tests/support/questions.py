@@ -235,7 +235,7 @@ def least_fit(formula):
 
 
 def values_along(shapes):
-    formulas = ["gap(B, A, along=(1, 0, 0)) >= 1"] + ["reach(B, A, along=(1, 1, 0)) >= 1"] * (shapes != "cut")
+    formulas = ["gap(B, A, along=(1, 0, 0)) >= 1"] + ["reach(B, A, along=(1, 1, 0)) >= 1"]
     formulas += ["margin(B, A, along=(1, 0, 0)) >= 1"] * (shapes == "round")
     return check3("apart", *formulas)(shapes)
 

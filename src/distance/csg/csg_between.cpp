@@ -8,176 +8,47 @@
 #include <optional>
 #include <vector>
 
+#include "distance/csg/csg_cells.h"
 #include "distance/csg/csg_part.h"
-#include "distance/solid/solid_pair.h"
+#include "distance/rays/line_signs.h"
+#include "distance/rays/ray_directional_least.h"
+#include "exact/margins/space_distance.h"
 #include "plane/base/lazy.h"
-#include "space/shape/box_shape.h"
+#include "plane/base/search_work.h"
 
 namespace findspace::distance {
 
 using exact::Real;
 using space::Body;
 using space::BodyPart;
-using space::CsgPart;
 using space::CsgSolid;
-using space::Point;
 using space::RealVector;
 
 namespace {
 
-/// Of cells along each axis.
-constexpr int kCellsAcross = 8;
-
-enum class CellSide { kIn, kOut, kUnsure };
-
-/// The cells of a lattice over the box about a solid: which lie in it, which beside it.
-class SolidCells {
- public:
-  explicit SolidCells(const CsgSolid& solid) {
-    const space::Bounds3 box = bounds(solid);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto low = static_cast<std::int64_t>(floor(box.low[k]));
-      const auto length = static_cast<std::int64_t>(-floor(-box.high[k])) - low;
-      const std::int64_t step = std::max<std::int64_t>((length + kCellsAcross - 1) / kCellsAcross, 1);
-      for (std::size_t i = 0; i <= kCellsAcross; ++i) at_[k][i] = low + static_cast<std::int64_t>(i) * step;
-    }
-    std::vector<const CsgPart*> parts;
-    for (const CsgPart& part : solid.parts) parts.push_back(&part);
-    divide({}, kCellsAcross, parts);
-  }
-
-  /// No body where there are none.
-  std::optional<Body> inside() const { return body(inside_); }
-  std::optional<Body> about() const { return body(about_); }
-  /// How much of what holds it lies in it.
-  double filled() const { return volume(inside_) / volume(about_); }
-
- private:
-  using Index = std::array<std::size_t, 3>;
-
-  void divide(const Index& first, std::size_t across, const std::vector<const CsgPart*>& parts) {
-    const Point low = corner(first, 0), high = corner(first, across);
-    std::vector<const CsgPart*> left;
-    for (const CsgPart* part : parts) {
-      const CellSide side = side_of(*part, low, high);
-      if (side == CellSide::kIn) {
-        take(inside_, low, high);
-        take(about_, low, high);
-        return;
-      }
-      if (side == CellSide::kUnsure) left.push_back(part);
-    }
-    if (left.empty()) return;
-    if (across == 1) {
-      take(about_, low, high);
-      return;
-    }
-    for (std::size_t i = 0; i < 8; ++i) {
-      Index next = first;
-      for (std::size_t k = 0; k < 3; ++k) next[k] += (i >> k & 1) * across / 2;
-      divide(next, across / 2, left);
-    }
-  }
-
-  Point corner(const Index& first, std::size_t across) const {
-    return {at_[0][first[0] + across], at_[1][first[1] + across], at_[2][first[2] + across]};
-  }
-
-  static std::array<Point, 8> corners_of(const Point& low, const Point& high) {
-    std::array<Point, 8> out;
-    for (std::size_t i = 0; i < 8; ++i)
-      out[i] = {(i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y, (i & 4) != 0 ? high.z : low.z};
-    return out;
-  }
-
-  static CellSide side_of(const CsgPart& part, const Point& low, const Point& high) {
-    const std::array<Point, 8> corners = corners_of(low, high);
-    const auto cell = std::make_shared<const Body>(space::body_of_part(space::part_of(corners, Real())));
-    // The set is convex.
-    const auto holds_all = [&](const BodyPart& set) {
-      return std::all_of(corners.begin(), corners.end(),
-                         [&](const Point& x) { return side(set, space::real(x)) <= 0; });
-    };
-    const auto beside = [&](const BodyPart& set) {
-      const TriedAnswer gap =
-          solid_pair(cell, std::make_shared<const Body>(space::body_of_part(set))).try_value(Which::kGamma1, {});
-      return gap && *gap && *(*gap)->bounds().lower >= Real();
-    };
-    bool in = true;
-    for (const BodyPart& set : part.within) {
-      if (holds_all(set)) continue;
-      if (beside(set)) return CellSide::kOut;
-      in = false;
-    }
-    for (const BodyPart& set : part.without) {
-      if (holds_all(set)) return CellSide::kOut;
-      in = in && beside(set);
-    }
-    return in ? CellSide::kIn : CellSide::kUnsure;
-  }
-
-  static void take(std::vector<space::IntervalBox>& cells, const Point& low, const Point& high) {
-    const RealVector from = space::real(low), to = space::real(high);
-    space::IntervalBox box;
-    for (std::size_t k = 0; k < 3; ++k) box[k] = {from[k], to[k], true, true};
-    cells.push_back(box);
-  }
-
-  static double volume(const std::vector<space::IntervalBox>& cells) {
-    double sum = 0;
-    for (const space::IntervalBox& box : cells) {
-      double one = 1;
-      for (const space::Interval& side : box) one *= (*side.to - *side.from).to_double();
-      sum += one;
-    }
-    return sum;
-  }
-
-  static std::optional<Body> body(const std::vector<space::IntervalBox>& cells) {
-    if (cells.empty()) return std::nullopt;
-    return space::body_of(space::BoxComplex::of_boxes(cells).simplified());
-  }
-
-  std::array<std::array<std::int64_t, kCellsAcross + 1>, 3> at_{};
-  std::vector<space::IntervalBox> inside_, about_;
-};
-
-/// Of a solid in which no cell lies; nothing where no place of the grid is found in it.
-std::optional<Body> place_inside(const CsgSolid& solid) {
-  const double size = cut_size({}, solid);
-  for (const CsgPart& part : solid.parts) {
-    const space::Vector at = csg_part_search(part, size).places.deepest({}).place;
-    const Point near{std::llround(at.x), std::llround(at.y), std::llround(at.z)};
-    if (holds(part, space::real(near))) return space::body_of_part({{}, near, Real()});
-  }
-  return std::nullopt;
-}
-
 /// Of a body in the place of the solid.
-struct BodyPair {
-  PairDistances pair;
+struct BodyInPlace {
+  BesideBody beside;
   bool convex = true;  // else of cells
 };
 
 /// Those of what lies in the solid and those of what holds it.
-struct BodyPairs {
-  std::vector<BodyPair> inside, about;
+struct BodiesInPlace {
+  std::vector<BodyInPlace> inside, about;
   bool moves = true;  // the solid
 };
 
-BodyPairs made_body_pairs(const ReplacedSolid& replaced, const SolidCells& cells) {
-  BodyPairs out;
+BodiesInPlace made_bodies_in_place(const ReplacedSolid& replaced, const BodiesOfCells& cells) {
+  BodiesInPlace out;
   out.moves = replaced.moves;
   const CsgSolid& solid = *replaced.solid;
-  const auto add = [&](std::vector<BodyPair>& pairs, Body body) {
+  const auto add = [&](std::vector<BodyInPlace>& all, Body body) {
     body.scale = solid.scale;
     const bool convex = body.parts.size() == 1;
-    pairs.push_back({replaced.pair(std::make_shared<const Body>(std::move(body))), convex});
+    all.push_back({replaced.beside(std::make_shared<const Body>(std::move(body))), convex});
   };
-  auto inside = cells.inside();
-  if (!inside) inside = place_inside(solid);
-  if (inside) add(out.inside, *std::move(inside));
-  if (auto about = cells.about()) add(out.about, *std::move(about));
+  if (cells.inside) add(out.inside, *cells.inside);
+  if (cells.about) add(out.about, *cells.about);
   if (solid.parts.size() > 1) return out;
   for (const BodyPart& set : solid.parts[0].within) add(out.about, space::body_of_part(set));
   return out;
@@ -204,69 +75,107 @@ Answer answer_between(Enclosure ends) {
   return out;
 }
 
-/// "B in A" of the two, or with `back` "A in B".
-class SideBetween : public PairSide {
- public:
-  struct Source {
-    std::vector<ReplacedSolid> solids;  // two at most
-    plane::Lazy<std::vector<SolidCells>> cells{};
-    std::array<plane::Lazy<BodyPairs>, 2> pairs{};
-  };
-  SideBetween(std::shared_ptr<const Source> source, bool back) : source_(std::move(source)), back_(back) {}
-
-  TriedAnswer gap(const RealVector& p, Depth depth) const override {
-    return asked(depth == Depth::kSign ? Which::kD1 : Which::kGamma1, p, false, false);
-  }
-  TriedAnswer reach(const RealVector& p) const override { return asked(Which::kGamma2, p, true, true); }
-  TriedAnswer diameter(const RealVector& p) const override { return asked(Which::kDiameter, p, true, true); }
-  TriedAnswer fit(const RealVector& p) const override { return asked(Which::kEta1, p, true, false); }
-  TriedAnswer farthest_fit(const RealVector& p) const override { return asked(Which::kEta2, p, false, true); }
-  TriedAnswer protrusion(const RealVector& p, Depth depth) const override {
-    return asked(depth == Depth::kSign ? Which::kH : Which::kMu, p, true, false);
-  }
-  TriedAnswer clearance(const RealVector& p) const override { return asked(Which::kDstarBack, p, false, true); }
-
- private:
-  /// Of a fit it is, where it can be, the solid that shall lie in the other: how a solid fits into some hundred cells
-  /// would take many seconds.
-  const BodyPairs& pairs(bool of_a_fit) const;
-
-  /// Whether it grows with the solid that is replaced, else it falls: where that shall lie in the other, and where the
-  /// other shall lie in it.
-  TriedAnswer asked(Which which, const RealVector& p, bool grows_within, bool grows_about) const;
-  exact::Tried<KnownEnd> end(const std::vector<BodyPair>& of, Which which, const RealVector& p, bool within,
-                             bool upper) const;
-
-  std::shared_ptr<const Source> source_;
-  bool back_;
-};
-
-bool is_fit(Which which) { return which == Which::kEta1 || which == Which::kEta2; }
-
-const BodyPairs& SideBetween::pairs(bool of_a_fit) const {
-  const std::vector<ReplacedSolid>& solids = source_->solids;
-  const std::vector<SolidCells>& cells = source_->cells.of([&] {
-    std::vector<SolidCells> made;
-    for (const ReplacedSolid& one : solids) made.emplace_back(*one.solid);
-    return made;
-  });
-  std::size_t k = 0;
-  if (solids.size() > 1) {
-    const bool second = of_a_fit ? solids[1].moves != back_ : cells[0].filled() < cells[1].filled();
-    k = second ? 1 : 0;
-  }
-  return source_->pairs[k].of([&] { return made_body_pairs(solids[k], cells[k]); });
+bool is_fit(Which which) {
+  return which == Which::kEta1 || which == Which::kEta2 || which == Which::kDelta1 || which == Which::kDelta2;
 }
 
+/// Whether the distance grows with the solid that moves, else it falls: all but that of what the other one shall lie
+/// in.
+bool grows_with_moving(Which which) {
+  switch (which) {
+    case Which::kGamma2:
+    case Which::kDiameter:
+    case Which::kPenetration:
+    case Which::kEta1:
+    case Which::kDelta2:
+    case Which::kMu:
+    case Which::kH:
+    case Which::kDstar:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// Of the greatest distance to places of which there may be none, that to the nearest of them; nothing of others. All
+/// shapes can meet; on one line they need not.
+std::optional<Which> nearest_of_places(Which which, bool on_line) {
+  if (which == Which::kEta2) return Which::kEta1;
+  if (which == Which::kDelta2) return Which::kDelta1;
+  if (which == Which::kGamma2 && on_line) return Which::kGamma1;
+  return std::nullopt;
+}
+
+}  // namespace
+
+struct DistancesBetween::Source {
+  std::vector<ReplacedSolid> solids;  // two at most
+  Real size;
+  plane::Lazy<std::vector<BodiesOfCells>> cells{};
+  std::array<plane::Lazy<BodiesInPlace>, 2> bodies{};
+
+  /// Of a fit it is, where it can be, the solid that shall lie in the other: how a solid fits into some hundred cells
+  /// would take many seconds.
+  const BodiesInPlace& of(Which which) const {
+    const std::vector<BodiesOfCells>& made = cells.of([&] {
+      std::vector<BodiesOfCells> all;
+      for (const ReplacedSolid& one : solids) all.push_back(bodies_of_cells(*one.solid));
+      return all;
+    });
+    std::size_t k = 0;
+    if (solids.size() > 1) {
+      const bool moving = which == Which::kEta1 || which == Which::kEta2;
+      k = (is_fit(which) ? solids[1].moves == moving : made[0].filled < made[1].filled) ? 1 : 0;
+    }
+    return bodies[k].of([&] { return made_bodies_in_place(solids[k], made[k]); });
+  }
+
+  /// Of B in A: the bodies of which the distance is no more, and those of which it is no less; less those that would
+  /// take too long.
+  struct Bounding {
+    std::vector<const BesideBody*> least, most;
+    std::vector<const BesideBody*> convex_least;  // of `least`
+
+    /// Those of which a least value is found soon: what is searched among hundreds of cells takes minutes.
+    const std::vector<const BesideBody*>& quick_least(Which which) const {
+      const bool soon =
+          which == Which::kGamma2 || which == Which::kDiameter || which == Which::kEta2 || which == Which::kDelta2;
+      return soon || convex_least.empty() ? least : convex_least;
+    }
+  };
+  Bounding bounding(Which which) const {
+    const BodiesInPlace& all = of(which);
+    const bool grows = grows_with_moving(all.moves ? which : exchanged(which));
+    const bool moving = which == Which::kEta1 || which == Which::kEta2;
+    const auto taken = [](const std::vector<BodyInPlace>& some, bool cells) {
+      std::vector<const BesideBody*> out;
+      for (const BodyInPlace& one : some) {
+        if (one.convex || cells) out.push_back(&one.beside);
+      }
+      return out;
+    };
+    const bool cells = !is_fit(which) || all.moves == moving;
+    const std::vector<BodyInPlace>&least = grows ? all.inside : all.about, &most = grows ? all.about : all.inside;
+    return {taken(least, cells), taken(most, cells), taken(least, false)};
+  }
+
+  /// Of B moved by p in A.
+  TriedAnswer value(Which which, const RealVector& p) const;
+
+ private:
+  exact::Tried<KnownEnd> end(const std::vector<const BesideBody*>& bodies, Which which, const RealVector& p, bool moves,
+                             bool upper) const;
+};
+
 /// The best of what the pairs tell.
-exact::Tried<KnownEnd> SideBetween::end(const std::vector<BodyPair>& of, Which which, const RealVector& p, bool within,
-                                        bool upper) const {
+exact::Tried<KnownEnd> DistancesBetween::Source::end(const std::vector<const BesideBody*>& bodies, Which which,
+                                                     const RealVector& p, bool moves, bool upper) const {
   KnownEnd out;
   std::optional<exact::Refusal> refused;
   bool told = false;
-  for (const auto& [pair, convex] : of) {
-    if (!within && !convex && is_fit(which)) continue;
-    const TriedAnswer v = within ? pair.try_value(which, p) : pair.try_value(exchanged(which), space::negated(p));
+  for (const BesideBody* body : bodies) {
+    const TriedAnswer v =
+        moves ? body->pair.try_value(which, p) : body->pair.try_value(exchanged(which), space::negated(p));
     if (!v) {
       refused = v.refusal();
       continue;
@@ -288,18 +197,17 @@ exact::Tried<KnownEnd> SideBetween::end(const std::vector<BodyPair>& of, Which w
   return out;
 }
 
-TriedAnswer SideBetween::asked(Which which, const RealVector& p, bool grows_within, bool grows_about) const {
-  const BodyPairs& bodies = pairs(is_fit(which));
-  const bool within = bodies.moves != back_;
-  const bool grows = within ? grows_within : grows_about;
-  const exact::Tried<KnownEnd> least = end(grows ? bodies.inside : bodies.about, which, p, within, false);
-  const exact::Tried<KnownEnd> most = end(grows ? bodies.about : bodies.inside, which, p, within, true);
+TriedAnswer DistancesBetween::Source::value(Which which, const RealVector& p) const {
+  const Bounding bodies = bounding(which);
+  const bool moves = of(which).moves;
+  const exact::Tried<KnownEnd> least = end(bodies.least, which, p, moves, false);
+  const exact::Tried<KnownEnd> most = end(bodies.most, which, p, moves, true);
   if (!least && !most) return least.refusal();
   if (most && most->lowest) return std::optional(lowest_answer<RealVector>(Way::kCut));
   Enclosure ends;
   if (least) ends.lower = least->at;
   if (most) ends.upper = most->at;
-  if (which == Which::kEta2) {
+  if (nearest_of_places(which, false)) {
     // A larger one that fits nowhere says nothing of it.
     if (most && most->undefined) return std::nullopt;
     if (!ends.lower) ends = {Real(), std::nullopt};
@@ -310,12 +218,291 @@ TriedAnswer SideBetween::asked(Which which, const RealVector& p, bool grows_with
   return std::optional(answer_between(std::move(ends)));
 }
 
+/// The sign that the maps of bodies tell, of which the distance is no more, or no less.
+class DistancesBetween::Rays : public space::RaySource {
+ public:
+  Rays(std::shared_ptr<const Source> source, const space::RayGrid& grid) : source_(std::move(source)), grid_(grid) {}
+
+  /// At the level, which may be refused.
+  enum class Told { kLeast, kMost, kNearest, kThere };
+  void add(Told told, const std::vector<const BesideBody*>& bodies, Which which, const Real& level,
+           const std::optional<AlongWay>& way) {
+    for (const BesideBody* body : bodies) {
+      exact::Tried<space::RaySourcePointer> rays = body->map(which, level, way, grid_);
+      if (rays) {
+        maps_.push_back(*std::move(rays));
+        told_.push_back(told);
+      } else {
+        refused_ = rays.refusal();
+      }
+    }
+  }
+  /// Of places of which there may be none.
+  void may_be_none() { there_ = false; }
+  /// Why, if no body has a map.
+  std::optional<exact::Refusal> refusal() const { return maps_.empty() ? std::optional(refused_) : std::nullopt; }
+
+  const space::RayGrid& grid() const override { return grid_; }
+  bool searched() const override { return true; }
+  exact::Tried<space::RayRow> try_row(int j) const override;
+
+ private:
+  std::int8_t sign(std::span<const std::int8_t> signs) const;
+
+  std::shared_ptr<const Source> source_;  // that the maps belong to
+  space::RayGrid grid_;
+  std::vector<space::RaySourcePointer> maps_;
+  std::vector<Told> told_;
+  bool there_ = true;
+  exact::Refusal refused_ = not_found_in_part();
+};
+
+std::int8_t DistancesBetween::Rays::sign(std::span<const std::int8_t> signs) const {
+  const auto any = [&](Told told, int sign) {
+    for (std::size_t k = 0; k < signs.size(); ++k) {
+      if (told_[k] == told && signs[k] == sign) return true;
+    }
+    return false;
+  };
+  if (any(Told::kNearest, 1)) return 1;
+  if (!there_ && !any(Told::kThere, -1)) return 0;
+  if (any(Told::kLeast, 1)) return 1;
+  return any(Told::kMost, -1) ? -1 : 0;
+}
+
+/// A map that does not tell a row says nothing of it.
+exact::Tried<space::RayRow> DistancesBetween::Rays::try_row(int j) const {
+  const auto lines = static_cast<std::size_t>(grid_.nu);
+  std::vector<space::RayRow> rows;
+  exact::Refusal refused = refused_;
+  for (const space::RaySourcePointer& map : maps_) {
+    exact::Tried<space::RayRow> row = map->try_row(j);
+    if (!row) refused = row.refusal();
+    rows.push_back(row ? *std::move(row)
+                       : space::RayRow{std::vector<std::int8_t>(lines, 0), std::vector<int>(lines + 1, 0), {}});
+  }
+  if (rows.empty()) return refused;
+  space::RayRow out = space::combined(rows, [&](std::span<const std::int8_t> signs) { return sign(signs); });
+  // Far away the sign is known unless too little is.
+  if (std::any_of(out.before.begin(), out.before.end(), [](std::int8_t s) { return s == 0; })) return refused;
+  return out;
+}
+
+namespace {
+
+/// Of a part of a line that is not decided, in widths of the ends there: it is left so.
+constexpr double kShareOfEnds = 0.25;
+constexpr int kMostPlaces = 200;  // of a line
+
+/// How one protrudes from the other, or fits into it.
+bool takes_long(Which which) {
+  return which == Which::kMu || which == Which::kMuBack || which == Which::kHausdorff || which == Which::kEta1 ||
+         which == Which::kDelta1;
+}
+
+/// Signs of what takes long on lines, by values between ends: no step changes a distance by more than its length, so
+/// one at a place tells the sign about it.
+class RaysByEnds : public space::RaySource {
+ public:
+  using Value = std::function<TriedAnswer(const RealVector&)>;
+  /// Farther than `size` from the middle the distance is more than the level; in steps of the scale.
+  RaysByEnds(Value value, const Real& level, const space::Vector& middle, double size, std::int64_t scale,
+             const space::RayGrid& grid)
+      : value_(std::move(value)),
+        level_(level),
+        middle_(middle),
+        size_(size),
+        unit_(static_cast<double>(scale) / static_cast<double>(grid.parts)),
+        grid_(grid) {}
+
+  const space::RayGrid& grid() const override { return grid_; }
+  bool searched() const override { return true; }
+  exact::Tried<space::RayRow> try_row(int j) const override;
+
+ private:
+  struct Walk {
+    PositionLine line;
+    std::vector<SignStretch> known{};
+    int places = 0;
+    std::optional<exact::Refusal> refused{};
+  };
+  void look(Walk& walk, double from, double to) const;
+
+  Value value_;
+  Real level_;
+  space::Vector middle_;
+  double size_, unit_;
+  space::RayGrid grid_;
+};
+
+/// What is known comes by growing place.
+void RaysByEnds::look(Walk& walk, double from, double to) const {
+  const double middle = (from + to) / 2;
+  if (walk.refused || !(from < middle && middle < to)) return;
+  const TriedAnswer v = value_(space::along(walk.line.start, Real::from_double(middle), walk.line.unit));
+  if (!v) {
+    walk.refused = v.refusal();
+    return;
+  }
+  const Enclosure ends = *v ? (*v)->bounds() : Enclosure{level_ + Real::from_double(4 * size_), std::nullopt};
+  const double low = ends.lower ? (*ends.lower - level_).to_double() : -exact::kInfinity,
+               high = ends.upper ? (*ends.upper - level_).to_double() : exact::kInfinity;
+  const double reach = std::max(low, -high) - size_ * margin::kPlaceNoise;
+  const double least = std::max(size_ * margin::kRayCertain, std::min(high - low, size_) * kShareOfEnds);
+  if (++walk.places > kMostPlaces || (reach <= 0 && to - from <= least)) {
+    walk.known.push_back({from, to, 0});
+    return;
+  }
+  const double first = reach > 0 ? std::max(from, middle - reach) : middle,
+               last = reach > 0 ? std::min(to, middle + reach) : middle;
+  if (from < first) look(walk, from, first);
+  if (first < last) walk.known.push_back({first, last, low > 0 ? 1 : -1});
+  if (last < to) look(walk, last, to);
+}
+
+exact::Tried<space::RayRow> RaysByEnds::try_row(int j) const {
+  space::RayRow out;
+  for (int i = 0; i < grid_.nu; ++i) {
+    const plane::SearchQuestion line_is_one;
+    Walk walk{position_line(grid_, unit_, i, j)};
+    const double place = space::dot(middle_ - space::rounded(walk.line.start), space::rounded(walk.line.unit));
+    look(walk, place - 2 * size_, place + 2 * size_);
+    if (walk.refused) return *walk.refused;
+    put_line(walk.known, unit_, out);
+  }
+  return out;
+}
+
 }  // namespace
 
-PairDistances pair_between(std::vector<ReplacedSolid> solids) {
-  const auto source = std::make_shared<SideBetween::Source>();
+DistancesBetween::DistancesBetween(std::vector<ReplacedSolid> solids, Real size) {
+  auto source = std::make_shared<Source>();
   source->solids = std::move(solids);
-  return {std::make_shared<const SideBetween>(source, false), std::make_shared<const SideBetween>(source, true)};
+  source->size = std::move(size);
+  source_ = std::move(source);
+}
+
+PairDistances DistancesBetween::pair() const {
+  return pair_by_values([source = source_](Which which, const RealVector& p) { return source->value(which, p); });
+}
+
+exact::Tried<space::RaySourcePointer> DistancesBetween::map(Which which, const Real& level,
+                                                            const std::optional<AlongWay>& way,
+                                                            const space::RayGrid& grid) const {
+  if (const auto cut = cut_off_of(which); cut && !way) {
+    if (level.sign() < 0) return space::constant_rays(grid, 1);
+    exact::Tried<space::RaySourcePointer> base = map(cut->base, cut->negated ? -level : level, way, grid);
+    if (!base) return base;
+    return space::cut_off_rays(*std::move(base), cut->negated, level);
+  }
+  const std::vector<ReplacedSolid>& solids = source_->solids;
+  if (takes_long(which) && !way && solids.size() > 1) {
+    const CsgSolid &b = *solids[0].solid, &a = *solids[1].solid;
+    const space::Vector middle = space::rounded(space::meeting(bounds(b), bounds(a))).middle();
+    const double size = source_->size.to_double() + std::fabs(level.to_double()) + 1;
+    const auto value = [pair = this->pair(), which](const RealVector& p) { return pair.try_value(which, p); };
+    return space::RaySourcePointer(std::make_unique<RaysByEnds>(value, level, middle, size, b.scale, grid));
+  }
+  const Source::Bounding bodies = source_->bounding(which);
+  const auto nearest = nearest_of_places(which, way.has_value());
+  if (nearest && level.sign() < 0) return space::constant_rays(grid, 1);
+  auto rays = std::make_unique<Rays>(source_, grid);
+  if (nearest) {
+    // The places of the larger set hold those of the smaller one.
+    rays->may_be_none();
+    rays->add(Rays::Told::kNearest, bodies.most, *nearest, level, way);
+    rays->add(Rays::Told::kThere, bodies.least, *nearest, level + Real(2) * source_->size, way);
+  }
+  rays->add(Rays::Told::kLeast, bodies.least, which, level, way);
+  rays->add(Rays::Told::kMost, bodies.most, which, level, way);
+  if (auto refused = rays->refusal()) return *std::move(refused);
+  return space::RaySourcePointer(std::move(rays));
+}
+
+namespace {
+
+exact::Refusal may_not_fit() {
+  return exact::Refusal("whether one of the shapes fits into the other is not known, so there may be no least value");
+}
+
+/// What the least values of the bodies tell.
+struct LeastOfBodies {
+  std::optional<Real> lower, upper;
+  std::vector<Answer> found;  // that positions take, or nearly
+  bool undefined = false;     // of one of the bodies
+  std::optional<exact::Refusal> refused;
+};
+
+template <class Ask>
+void add_least(LeastOfBodies& out, const std::vector<const BesideBody*>& bodies, bool upper, const Ask& ask) {
+  for (const BesideBody* body : bodies) {
+    const TriedAnswer v = ask(*body);
+    if (!v) {
+      out.refused = v.refusal();
+      continue;
+    }
+    if (!*v) {
+      out.undefined = true;
+      continue;
+    }
+    const Enclosure ends = (*v)->bounds();
+    if (upper && ends.upper && (!out.upper || *ends.upper < *out.upper)) out.upper = ends.upper;
+    if (!upper && ends.lower && (!out.lower || *out.lower < *ends.lower)) out.lower = ends.lower;
+    out.found.push_back(**v);
+  }
+}
+
+/// The place of those found at which the value is known to be least.
+std::optional<Answer> best_of_places(const PairDistances& pair, Which which, const LeastOfBodies& least) {
+  std::optional<Answer> best;
+  for (const Answer& found : least.found) {
+    const TriedAnswer v = pair.try_value(which, found.at);
+    const std::optional<Real> upper = v && *v ? (*v)->bounds().upper : std::nullopt;
+    if (!upper || (best && !(*upper < best->value))) continue;
+    best = exact_answer<RealVector>(*upper, Way::kCut);
+    best->at = found.at;
+  }
+  return best;
+}
+
+}  // namespace
+
+TriedAnswer DistancesBetween::least(Which which) const {
+  LeastOfBodies least, most;
+  const std::vector<Which> of =
+      which == Which::kHausdorff ? std::vector{Which::kMu, Which::kMuBack} : std::vector{which};
+  const auto ask = [](Which one) { return [one](const BesideBody& body) { return body.least(one); }; };
+  for (const Which one : of) add_least(least, source_->bounding(one).quick_least(one), false, ask(one));
+  const bool farthest = nearest_of_places(which, false).has_value();
+  if (!farthest && least.undefined) return std::nullopt;
+  if (farthest && least.found.empty()) return may_not_fit();
+  if (!least.lower && !farthest) return least.refused.value_or(not_found_in_part());
+  std::optional<Answer> best = best_of_places(pair(), which, least);
+  if (!best || farthest) {
+    for (const Which one : of) add_least(most, source_->bounding(one).most, true, ask(one));
+    if (farthest && most.undefined) return std::nullopt;
+    const std::optional<Answer> other = best_of_places(pair(), which, most);
+    if (other && (!best || other->value < best->value)) best = other;
+  }
+  if (!best) return most.undefined ? may_not_fit() : most.refused.value_or(not_found_in_part());
+  const Real lower = least.lower.value_or(Real());
+  return std::optional(least_answer(best->value, lower, lower == best->value, best->at, Way::kCut));
+}
+
+TriedAnswer DistancesBetween::least_along(Which which, const AlongWay& way) const {
+  const Source::Bounding bodies = source_->bounding(which);
+  LeastOfBodies least, most;
+  const auto ask = [&](const BesideBody& body) { return body.least_along(which, way); };
+  add_least(least, bodies.least, false, ask);
+  if (least.undefined) return std::nullopt;
+  if (!least.lower) return least.refused.value_or(not_found_in_part());
+  add_least(most, bodies.most, true, ask);
+  const auto lowest = std::min_element(most.found.begin(), most.found.end(),
+                                       [](const Answer& a, const Answer& b) { return a.value < b.value; });
+  if (lowest == most.found.end()) return most.undefined ? may_not_fit() : most.refused.value_or(not_found_in_part());
+  Answer out = least_answer(*most.upper, *least.lower, false, lowest->at);
+  if (!is_taken(*lowest)) out.side = distance::Side::kNone;
+  return std::optional(std::move(out));
 }
 
 }  // namespace findspace::distance

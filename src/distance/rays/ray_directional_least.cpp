@@ -237,7 +237,7 @@ std::optional<Answer> convex_directional_least(const ConvexRegion& positions, co
 
 TriedAnswer ray_directional_least(Which which, const RealVector& direction, bool both_ways, const Body& b,
                                   const Body& a) {
-  if (a.outside) return Refusal("over all positions a distance to a complement has no least value");
+  if (a.outside || b.outside) return Refusal("over all positions a distance to a complement has no least value");
   switch (which) {
     case Which::kGamma1:
       if (!a.round() && !b.round()) return least_gap(b, a, direction, both_ways);

@@ -130,6 +130,49 @@ TriedAnswer PairDistances::try_value(Which which, const SpacePosition& p) const 
   return std::nullopt;
 }
 
+namespace {
+
+/// "B in A", or with `back` "A in B".
+class SideByValues : public PairSide {
+ public:
+  using Value = std::function<TriedAnswer(Which, const SpacePosition&)>;
+  SideByValues(Value value, bool back) : value_(std::move(value)), back_(back) {}
+
+  TriedAnswer gap(const SpacePosition& p, Depth depth) const override {
+    return asked(depth == Depth::kSign ? Which::kD1 : Which::kGamma1, p);
+  }
+  TriedAnswer reach(const SpacePosition& p) const override { return asked(Which::kGamma2, p); }
+  TriedAnswer diameter(const SpacePosition& p) const override { return asked(Which::kDiameter, p); }
+  TriedAnswer fit(const SpacePosition& p) const override { return asked(Which::kEta1, p); }
+  TriedAnswer farthest_fit(const SpacePosition& p) const override { return asked(Which::kEta2, p); }
+  TriedAnswer protrusion(const SpacePosition& p, Depth depth) const override {
+    return asked(depth == Depth::kSign ? Which::kH : Which::kMu, p);
+  }
+  TriedAnswer clearance(const SpacePosition& p) const override { return asked(Which::kDstarBack, p); }
+
+ private:
+  TriedAnswer asked(Which which, const SpacePosition& p) const {
+    if (!back_) return value_(which, p);
+    return exchanged_back(value_(exchanged(which), space::negated(p)), p);
+  }
+
+  Value value_;
+  bool back_;
+};
+
+}  // namespace
+
+PairDistances pair_by_values(std::function<TriedAnswer(Which, const SpacePosition&)> value) {
+  auto back = std::make_shared<const SideByValues>(value, true);
+  return {std::make_shared<const SideByValues>(std::move(value), false), std::move(back)};
+}
+
+PairDistances exchanged(PairDistances pair) {
+  return pair_by_values([pair = std::move(pair)](Which which, const SpacePosition& p) {
+    return exchanged_back(pair.try_value(exchanged(which), space::negated(p)), p);
+  });
+}
+
 exact::Interval PairDistances::within(Which which, const space::Vector& p) const {
   switch (which) {
     case Which::kGamma1:

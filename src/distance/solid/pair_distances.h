@@ -14,6 +14,7 @@
 // positions first ask `within`, in doubles. Keywords: signed distance, Hausdorff distance.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -77,6 +78,11 @@ class PairDistances {
 
   SidePointer forth_, back_;
 };
+
+/// Of what answers by values alone, of B moved by p in A.
+PairDistances pair_by_values(std::function<TriedAnswer(Which, const SpacePosition&)> value);
+/// Of A that moves in B, from that of B that moves in A.
+PairDistances exchanged(PairDistances pair);
 
 /// The greater of two values, by itself where the other one is surely less.
 Answer greatest(Answer a, Answer b);

@@ -302,7 +302,7 @@ Answer least_zero(Which which, const space::Bounds3& box, const RealVector& meet
 }
 
 TriedAnswer solid_least(Which which, const Body& b, const Body& a) {
-  if (a.outside) return exact::Refusal("over all positions a distance to a complement has no least value");
+  if (a.outside || b.outside) return exact::Refusal("over all positions a distance to a complement has no least value");
   if (!of_back(which)) return Least(b, a).of(which);
   // A in B + p is -A + p in -B.
   const Body back_b = mirrored(a), back_a = mirrored(b);

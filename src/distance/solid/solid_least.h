@@ -23,7 +23,7 @@
 
 namespace findspace::distance {
 
-/// Both of one scale, B not `outside`; nothing where the distance is undefined.
+/// Both of one scale; nothing where the distance is undefined.
 TriedAnswer solid_least(Which which, const space::Body& b, const space::Body& a);
 
 /// By tangents if `convex`, where values tell them; else by cubes, of so many values.

@@ -74,8 +74,11 @@ Tried<KeptBodies::Pointer> bodies(const RayWorld& world, const std::vector<std::
   const Tried<space::Body> fixed = body(world, fixed_names);
   if (!fixed) return fixed.refusal();
   const std::int64_t scale = space::joint_scale(moving->scale, fixed->scale);
-  return std::make_shared<const distance::BodiesOnLines>(space::at_scale(*moving, scale),
-                                                         space::at_scale(*fixed, scale));
+  space::Body b = space::at_scale(*moving, scale), a = space::at_scale(*fixed, scale);
+  // B + p in A is A - p in B, or -A + p in -B.
+  if (b.outside && !a.outside)
+    return std::make_shared<const distance::BodiesOnLines>(mirrored(std::move(a)), mirrored(std::move(b)));
+  return std::make_shared<const distance::BodiesOnLines>(std::move(b), std::move(a));
 }
 
 /// By the convex parts of the shapes.
@@ -85,8 +88,10 @@ Tried<space::RaySourcePointer> by_parts(const RayWorld& world, const SignMap& ma
   const Tried<KeptBodies::Pointer> made = world.bodies.of(moving, fixed, [&] { return bodies(world, moving, fixed); });
   if (!made) return made.refusal();
   const distance::BodiesOnLines& pair = **made;
-  if (pair.b().outside) return no_map(map, "a moving shape has to be bounded");
-  const distance::Which base = which(d.kind, second);
+  if (pair.b().outside) return no_map(map, "of two complements");
+  const bool back = std::any_of(moving.begin(), moving.end(),
+                                [&](const std::string& name) { return world.shapes.at(name).outside(); });
+  const distance::Which asked = which(d.kind, second), base = back ? distance::exchanged(asked) : asked;
   const Real level = map.level / world.step * Real(pair.b().scale);
   if (!is_directional(d)) return distance::ray_sign_map(base, level, pair.b(), pair.a(), grid);
   return distance::ray_directional_map(base, level, direction_of(d), d.mode == Mode::kAlong, pair, grid);
@@ -131,17 +136,19 @@ Tried<space::RaySourcePointer> by_cut(const RayWorld& world, const SignMap& map,
   if (!b) return b.refusal();
   const Tried<std::vector<SpaceShape>> a = forms(second ? d.first : d.second);
   if (!a) return a.refusal();
-  const CsgShapes shapes = csg_shapes(*b, *a);
-  if (!shapes.cut && cut_between(*b, *a)) return no_map(map, kOnlyValuesOfTwoCut);
-  if (!shapes.cut) return nullptr;
-  const Real level = map.level / world.step * Real(shapes.scale);
   std::optional<distance::AlongWay> way;
   if (is_directional(d)) way = distance::AlongWay{direction_of(d), d.mode == Mode::kAlong};
-  Tried<space::RaySourcePointer> rays = csg_map(which(d.kind, second), level, shapes, grid, way);
-  if (*rays) return rays;
-  return no_map(map,
-                "of shapes that round ones are cut out of only gap at levels from 0 on and reach are computed along "
-                "a direction that is not the lines' (--resolution N --axis z takes lines along z alone)");
+  const Real level = map.level / world.step;
+  if (const CsgShapes shapes = csg_shapes(*b, *a); shapes.cut) {
+    auto rays = csg_map(which(d.kind, second), level * Real(shapes.scale), shapes, grid, way);
+    if (!rays) return no_map(map, kNoMapAlong);
+    return rays;
+  }
+  const auto cut = cut_between(*b, *a);
+  if (!cut) return nullptr;
+  auto rays = cut->of.map(cut->which(which(d.kind, second)), level * Real(cut->scale), way, grid);
+  if (!rays) return no_map(map, rays.refusal().error.message());
+  return rays;
 }
 
 bool is_protrusion(Kind kind) { return kind == Kind::kMu || kind == Kind::kH || kind == Kind::kHausdorff; }

@@ -4,6 +4,7 @@
 // Whether a formula holds far away, beyond all that lines are taken through: by the sign that each distance has there.
 #include <algorithm>
 
+#include "distance/solid/pair_distances.h"
 #include "formula/language/evaluate.h"
 #include "formula/language/which.h"
 #include "formula/solid/solve_rays.h"
@@ -16,12 +17,15 @@ bool holds_far_away(const RayWorld& world, const Formula& formula) {
     Distance d = moving_first(map.distance, world.moving);
     const bool second = second_is_moving(d, world.moving);
     if (second) std::swap(d.first, d.second);
-    const bool outside = std::any_of(d.second.begin(), d.second.end(), [&](const std::string& name) {
-      const RayShape& shape = world.shapes.at(name);
-      return shape.outside();
-    });
+    const auto any_outside = [&](const std::vector<std::string>& names) {
+      return std::any_of(names.begin(), names.end(),
+                         [&](const std::string& name) { return world.shapes.at(name).outside(); });
+    };
+    // Of a complement that moves the other one moves in it.
+    const bool back = any_outside(d.first), outside = back || any_outside(d.second);
+    const distance::Which asked = which(d.kind, second);
     const int level = map.level.sign();
-    switch (which(d.kind, second)) {
+    switch (back ? distance::exchanged(asked) : asked) {
       case distance::Which::kGamma1:  // in a complement far away all fits
       case distance::Which::kEta1:
       case distance::Which::kMu:

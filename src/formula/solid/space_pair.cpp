@@ -74,9 +74,9 @@ SpacePair::SpacePair(const std::vector<const SpaceShape*>& moving, const std::ve
   cut_scale_ = cut.scale;
   if (cut_side_) {
     cut_ = csg_pair(cut_side_, cut_moves_);
-  } else if (auto between = cut_between(moving_, fixed_)) {
-    cut_ = std::move(between->pair);
-    cut_scale_ = between->scale;
+  } else {
+    between_ = cut_between(moving_, fixed_);
+    if (between_) cut_scale_ = between_->scale;
   }
   const auto large = [](const SpaceShape& s) { return s.surfaces != nullptr; };
   if (std::any_of(moving_.begin(), moving_.end(), large) || std::any_of(fixed_.begin(), fixed_.end(), large))
@@ -88,18 +88,14 @@ SpacePair::SpacePair(const std::vector<const SpaceShape*>& moving, const std::ve
 std::unique_ptr<const SpacePair::Bodies> SpacePair::made_bodies() const {
   auto out = std::make_unique<Bodies>();
   const auto b = united_bodies(moving_, moving_boxes_), a = united_bodies(fixed_, fixed_boxes_);
-  if (cut_ && !cut_side_) {
-    out->refused = Refusal(kOnlyValuesOfTwoCut);
-    return out;
-  }
   if (!b || !a) {
     out->refused = (a ? b : a).refusal();
     return out;
   }
   out->b = *b;
   out->a = *a;
-  if (out->b->outside) {
-    out->refused = Refusal("a moving shape has to be bounded");
+  if (out->b->outside && out->a->outside) {
+    out->refused = Refusal("of two complements the distances are not computed in 3D");
     return out;
   }
   out->scale = space::joint_scale(out->b->scale, out->a->scale);
@@ -107,7 +103,9 @@ std::unique_ptr<const SpacePair::Bodies> SpacePair::made_bodies() const {
   out->a = std::make_shared<const Body>(space::at_scale(*out->a, out->scale));
   observe_body("the moving shape", *out->b);
   observe_body("the fixed shape", *out->a);
-  out->pair = distance::solid_pair(out->b, out->a);
+  // B + p in A is A - p in B.
+  out->pair = out->b->outside ? distance::exchanged(distance::solid_pair(out->a, out->b))
+                              : distance::solid_pair(out->b, out->a);
   return out;
 }
 
@@ -183,6 +181,8 @@ Tried<std::optional<Answer>> SpacePair::value(Which which, const RealVector& p) 
   }
   if (cut_)
     return asked(distance::Way::kCut, cut_scale_, p, [&](const RealVector& at) { return cut_->try_value(which, at); });
+  if (between_)
+    return asked(distance::Way::kCut, cut_scale_, p, [&](const RealVector& at) { return between_->value(which, at); });
   if (surfaces_) {
     auto v = asked(distance::Way::kSurfaces, surface_scale_, p,
                    [&](const RealVector& at) { return surfaces_->try_value(which, at); });
@@ -192,7 +192,7 @@ Tried<std::optional<Answer>> SpacePair::value(Which which, const RealVector& p) 
 }
 
 std::function<exact::Interval(const space::Vector&)> SpacePair::within(Which which) const {
-  if (cut_ || (!surfaces_ && !all().pair)) return [](const space::Vector&) { return exact::whole_line(); };
+  if (cut_ || between_ || (!surfaces_ && !all().pair)) return [](const space::Vector&) { return exact::whole_line(); };
   const auto scale = static_cast<double>(surfaces_ ? surface_scale_ : all().scale);
   return [pair = surfaces_ ? &*surfaces_ : &*all().pair, which, scale](const space::Vector& p) {
     const exact::Interval found = pair->within(which, space::scaled(scale, p));
@@ -202,9 +202,10 @@ std::function<exact::Interval(const space::Vector&)> SpacePair::within(Which whi
 
 // They overlap, or are nearer than the level, where B grown by a ball of it overlaps A.
 std::optional<RealVector> SpacePair::nearest_apart(const Real& level, const RealVector& p) const {
-  if (surfaces_ || cut_ || level.sign() <= 0) return std::nullopt;
+  if (surfaces_ || cut_ || between_ || level.sign() <= 0) return std::nullopt;
   const Bodies& made = all();
-  if (!made.pair || made.a->outside || made.a->parts.size() * made.b->parts.size() > kMostApart) return std::nullopt;
+  if (!made.pair || made.a->outside || made.b->outside || made.a->parts.size() * made.b->parts.size() > kMostApart)
+    return std::nullopt;
   auto grown = std::make_shared<Body>(*made.b);
   for (space::BodyPart& part : grown->parts) part.radius = part.radius + level * Real(made.scale);
   const auto v =

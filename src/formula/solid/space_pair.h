@@ -36,7 +36,7 @@ class SpacePair {
   /// One of the shapes is a large mesh.
   bool large() const { return surfaces_.has_value(); }
   /// Values lie between those of bodies, which no longer search brings together.
-  bool between() const { return cut_ && !cut_side_; }
+  bool between() const { return between_.has_value(); }
   /// The least value and its positions; nothing where this is not computed.
   exact::Tried<std::optional<distance::BoxMaps::Least>> least(distance::Which which) const;
   /// The least value as far as it is known (solid_least.h), in grid steps; nothing where the distance is undefined.
@@ -92,6 +92,7 @@ class SpacePair {
   std::unique_ptr<distance::BoxMaps> boxes_;
   std::shared_ptr<const distance::CsgSide> cut_side_;
   bool cut_moves_ = false;
+  std::optional<CutBetween> between_;
   std::optional<distance::PairDistances> cut_;
   std::int64_t cut_scale_ = 1;
   std::optional<distance::PairDistances> surfaces_;

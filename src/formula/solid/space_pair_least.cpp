@@ -46,7 +46,7 @@ SpacePair::Sublevel SpacePair::none(std::int64_t scale) {
 /// The bodies, or of a large one whose hull is enough that.
 std::optional<SpacePair::Outlines> SpacePair::outlines(bool eta, bool delta) const {
   if (!surfaces_) {
-    if (!all().pair || all().a->outside) return std::nullopt;
+    if (!all().pair || all().a->outside || all().b->outside) return std::nullopt;
     return Outlines{all().b.get(), all().a.get(), all().scale};
   }
   if (!surfaced_a_.outline || !surfaced_b_.outline) return std::nullopt;
@@ -158,18 +158,19 @@ Tried<std::optional<BoxMaps::Least>> SpacePair::least(Which which) const {
 }
 
 Tried<std::optional<distance::Answer>> SpacePair::nearly_least(Which which) const {
-  if (!cut_side_ && !all().pair) return *all().refused;
+  if (!cut_ && !between_ && !all().pair) return *all().refused;
   const std::lock_guard lock(least_guard_);
   auto& slot = least_[which];
   if (!slot) {
-    auto made = cut_side_ ? distance::csg_least(which, cut_side_, cut_moves_)
-                          : distance::solid_least(which, *all().b, *all().a);
+    auto made = cut_side_  ? distance::csg_least(which, cut_side_, cut_moves_)
+                : between_ ? between_->of.least(between_->which(which))
+                           : distance::solid_least(which, *all().b, *all().a);
     if (!made) return made;
     slot = std::make_unique<std::optional<distance::Answer>>(*std::move(made));
   }
   auto found = *slot;
   if (!found) return found;
-  return distance::in_unit(*found, Real::ratio(1, cut_side_ ? cut_scale_ : all().scale));
+  return distance::in_unit(*found, Real::ratio(1, cut_ || between_ ? cut_scale_ : all().scale));
 }
 
 Tried<std::optional<distance::Answer>> SpacePair::directional_least(Which which, const RealVector& direction,
@@ -178,8 +179,9 @@ Tried<std::optional<distance::Answer>> SpacePair::directional_least(Which which,
     const auto found = distance::convex_directional_least(zero->region, zero->radius, direction, both_ways);
     return found ? std::optional(distance::in_unit(*found, Real(1) / zero->scale)) : std::nullopt;
   }
-  if (cut_side_) {
-    auto found = distance::csg_directional_least(which, cut_side_, cut_moves_, direction, both_ways);
+  if (cut_ || between_) {
+    auto found = between_ ? between_->of.least_along(between_->which(which), {direction, both_ways})
+                          : distance::csg_directional_least(which, cut_side_, cut_moves_, direction, both_ways);
     if (!found || !*found) return found;
     return distance::in_unit(**found, Real::ratio(1, cut_scale_));
   }
