@@ -125,9 +125,104 @@ TEST(CutSolid, HasValuesBesideAnotherOneOrInAComplementBetweenEnds) {
   const auto outside = space::node(Kind::kComplement, {cube(20)});
   holds(drawn(K::kGamma1, shell, outside), Real(11), 6);
   EXPECT_FALSE(drawn(K::kGamma2, shell, outside));
+}
+
+plane::ShapePtr cup() { return space::node(Kind::kDifference, {space::ball({0, 0, 0}, 6), space::ball({0, 0, 5}, 4)}); }
+
+int sign_at(const plane::Section& line, const Real& t) {
+  int sign = line.before;
+  for (const plane::Section::Stop& stop : line.stops) {
+    if (t < stop.t) break;
+    sign = t == stop.t ? stop.at : stop.after;
+  }
+  return sign;
+}
+
+/// Signs are told where the bodies within one of them and about it agree.
+TEST(CutSolid, HasSignsBesideAnotherOneWhereTheEndsTellThem) {
+  using K = findspace::formula::Kind;
   SpaceWorld all = world("B");
-  all.shapes["B"] = space_shape(*shell);
-  EXPECT_THROW(SpaceSolver(all).nearly_least(named(K::kGamma1)), Error);
+  all.shapes["B"] = space_shape(*cup());
+  const SpaceSolver solver(all);
+  RayWorld rays;
+  rays.shapes.emplace("A", RayShape(bowl()));
+  rays.shapes.emplace("B", RayShape(cup()));
+  rays.moving = {"B"};
+  rays.step = Real(1);
+  const std::vector<std::pair<K, int>> wanted{{K::kGamma2, 60}, {K::kEta2, 40}};
+  for (const auto& [kind, level] : wanted) {
+    const auto line = signs_on_line(rays, {named(kind), Real(level), false}, *grid_through(space::place(2, 1, 0), 2));
+    ASSERT_TRUE(line) << line.refusal().error.what();
+    EXPECT_TRUE(line->searched);
+    std::array<int, 3> seen{};
+    for (const int z : {-80, -30, 0, 31, 90}) {
+      const int sign = sign_at(line->section, Real(z));
+      const auto v = solver.value(named(kind), space::place(2, 1, z));
+      ASSERT_TRUE(v);
+      const distance::Enclosure ends = v->bounds();
+      if (sign < 0) EXPECT_FALSE(ends.lower && Real(level) < *ends.lower);
+      if (sign > 0) EXPECT_FALSE(ends.upper && *ends.upper < Real(level));
+      ++seen[static_cast<std::size_t>(sign + 1)];
+    }
+    EXPECT_GT(seen[0], 0) << static_cast<int>(kind);
+    EXPECT_GT(seen[2], 0) << static_cast<int>(kind);
+  }
+}
+
+TEST(CutSolid, HasLeastValuesBesideAnotherOneBetweenEnds) {
+  using K = findspace::formula::Kind;
+  SpaceWorld all = world("B");
+  all.shapes["B"] = space_shape(*cup());
+  const SpaceSolver solver(all);
+  EXPECT_EQ(solver.nearly_least(named(K::kD1))->value, Real());
+  const auto least = solver.nearly_least(named(K::kGamma2));
+  ASSERT_TRUE(least);
+  const distance::Enclosure ends = least->bounds(), there = solver.value(named(K::kGamma2), least->at)->bounds();
+  // Both are as wide as they are without what is cut out.
+  EXPECT_LE(ends.lower->to_double(), 20 * std::sqrt(3.0) + 6 + 1e-9);
+  EXPECT_GE(ends.upper->to_double(), 20 * std::sqrt(3.0) + 4);
+  EXPECT_LE(*there.lower, *ends.upper);
+}
+
+/// A complement that moves: the other one moves in it the other way.
+TEST(CutSolid, LiesInAComplementThatMoves) {
+  using K = findspace::formula::Kind;
+  for (const auto& inner : {cube(3), cup()}) {
+    SpaceWorld all = world("B"), back = world("A");
+    const auto outside = space::node(Kind::kComplement, {cube(20)});
+    all.shapes["B"] = back.shapes["B"] = space_shape(*outside);
+    all.shapes["A"] = back.shapes["A"] = space_shape(*inner);
+    const SpaceSolver solver(all), other(back);
+    const auto p = space::place(3, 1, 2), q = space::place(-3, -1, -2);
+    for (const K kind : {K::kGamma1, K::kDelta1, K::kPenetration}) {
+      const auto v = solver.value(named(kind), p);
+      const auto w = other.value(named(kind), q);
+      ASSERT_EQ(v.has_value(), w.has_value());
+      if (v) EXPECT_EQ(v->value, w->value);
+    }
+    EXPECT_FALSE(solver.value(named(K::kEta1), p));
+    EXPECT_THROW(solver.nearly_least(named(K::kGamma1)), Error);
+    RayWorld rays;
+    rays.shapes.emplace("A", RayShape(inner));
+    rays.shapes.emplace("B", RayShape(outside));
+    rays.moving = {"B"};
+    rays.step = Real(1);
+    const SignMap free{named(K::kGamma1), Real(), false};
+    EXPECT_EQ(*sign_at_position(rays, free, space::place(0, 0, 0)), 1);
+    EXPECT_EQ(*sign_at_position(rays, free, space::place(0, 0, 30)), -1);
+  }
+}
+
+/// Of a value from 0 on, whatever it is, it is known that it is not less.
+TEST(CutSolid, IsWhereAnEndAloneTells) {
+  using K = findspace::formula::Kind;
+  SpaceWorld all = world("B");
+  all.shapes["B"] =
+      space_shape(*space::node(Kind::kDifference, {space::ball({0, 0, 0}, 19), space::ball({0, 0, 5}, 4)}));
+  const SpaceSolver solver(all);
+  const auto p = space::place(0, 0, 0);
+  const auto v = solver.value(named(K::kEta2), p);
+  if (v) EXPECT_TRUE(solver.check(Formula(compare(named(K::kEta2), Relation::kGreaterEqual, Real())), p).holds);
 }
 
 /// What is taken away is closed: no wall stays where its parts touch, nor where it is flush with what it is taken from.

@@ -155,8 +155,23 @@ std::string between_ends(const PreparedSpace& prepared, const Distance& wanted, 
   return "the value is known to be " + known + ", which does not tell on which side of the level it lies";
 }
 
-/// The sign of a distance minus its level, given its value.
-Tried<int> sign(const PreparedSpace& prepared, const SignMap& wanted, const std::optional<Answer>& v) {
+/// Whether all that is asked of a sign map holds alike for two signs.
+using Alike = std::function<bool(std::int8_t, std::int8_t)>;
+
+Alike alike_in(const Formula& formula, std::size_t map) {
+  return [&formula, map](std::int8_t s, std::int8_t t) {
+    bool alike = true;
+    for (std::size_t k = 0; k < formula.atoms().size(); ++k) {
+      const Atom& atom = formula.atoms()[k];
+      alike = alike && (formula.sign_map_of(k) != map || holds(atom, s) == holds(atom, t));
+    }
+    return alike;
+  };
+}
+
+/// The sign of a distance minus its level, given its value; of two that hold alike any.
+Tried<int> sign(const PreparedSpace& prepared, const SignMap& wanted, const std::optional<Answer>& v,
+                const Alike& alike) {
   if (!v) return 1;
   if (v->minus_infinity) return -1;
   const Real level = wanted.level / prepared.world.step;
@@ -164,6 +179,8 @@ Tried<int> sign(const PreparedSpace& prepared, const SignMap& wanted, const std:
   const distance::Enclosure ends = v->bounds();
   if (ends.lower && level < *ends.lower) return 1;
   if (ends.upper && *ends.upper < level) return -1;
+  if (ends.lower && level == *ends.lower && alike(0, 1)) return 1;
+  if (ends.upper && level == *ends.upper && alike(-1, 0)) return -1;
   std::string why = between_ends(prepared, wanted.distance, *v);
   const Tried<PreparedSpace::Named> pair = prepared.named(wanted.distance);
   const bool searched = !pair || !pair->pair->between();
@@ -198,10 +215,11 @@ Tried<SignedValue> minimal(const PreparedSpace& prepared, const SignMap& map, co
 }
 
 /// By the value; where that is not computed, or too near the level, by the exact map or the ray through p.
-Tried<SignedValue> signed_value(const PreparedSpace& prepared, const SignMap& map, const RealVector& p) {
+Tried<SignedValue> signed_value(const PreparedSpace& prepared, const SignMap& map, const RealVector& p,
+                                const Alike& alike) {
   if (map.minimum) return minimal(prepared, map, p);
   const auto v = value_at(prepared, map.distance, p);
-  const Tried<int> by_value = v ? sign(prepared, map, *v) : v.refusal();
+  const Tried<int> by_value = v ? sign(prepared, map, *v, alike) : v.refusal();
   if (by_value) return SignedValue{shown(prepared, map.distance, *v), *by_value};
   const auto signs_alone = [&](int sign, Way way) {
     return SignedValue{refused_at(map.distance, by_value.refusal(), way), sign};
@@ -226,9 +244,9 @@ Check SpaceSolver::check(const Formula& formula, const RealVector& position) con
   std::vector<std::int8_t> signs;
   std::vector<DistanceAt> values;
   std::vector<double> milliseconds;
-  for (const SignMap& m : formula.sign_maps()) {
+  for (std::size_t map = 0; map < formula.sign_maps().size(); ++map) {
     const plane::Stopwatch watch;
-    const SignedValue found = signed_value(*space_, m, p).or_throw();
+    const SignedValue found = signed_value(*space_, formula.sign_maps()[map], p, alike_in(formula, map)).or_throw();
     milliseconds.push_back(watch.milliseconds());
     values.push_back(found.shown);
     signs.push_back(static_cast<std::int8_t>(found.sign));
@@ -404,7 +422,7 @@ Tried<std::optional<SpaceSolver::ConvexMap>> SpaceSolver::feasible_convex(const 
 
 SpaceSolver::OnLine SpaceSolver::feasible_on(const Formula& formula, const SpaceLine& line) const {
   const auto rule = [&](std::span<const Mark> signs) { return Mark(evaluate(formula, signs)); };
-  if (formula.sign_maps().empty()) return {{rule({}), {}}};
+  if (formula.sign_maps().empty()) return {{rule({}), {}}, Side::kExact, {}};
   std::vector<Section> all;
   std::vector<bool> searched;
   for (const SignMap& map : formula.sign_maps()) {
@@ -412,7 +430,17 @@ SpaceSolver::OnLine SpaceSolver::feasible_on(const Formula& formula, const Space
     all.push_back(std::move(signs.section));
     searched.push_back(signs.searched);
   }
-  return {overlay_sections(all, rule), side_of_search(formula, searched)};
+  const auto open = [&](std::span<const Mark> signs) {
+    std::vector<std::int8_t> between;
+    for (std::size_t k = 0; k < signs.size(); ++k) {
+      const bool any = searched[k] && signs[k] == 0;
+      between.push_back(any ? std::int8_t(-1) : signs[k]);
+      between.push_back(any ? std::int8_t(1) : signs[k]);
+    }
+    return Mark(certainty(formula, between) == 1);
+  };
+  const Side side = side_of_search(formula, searched);
+  return {overlay_sections(all, rule), side, side == Side::kExact ? Section() : overlay_sections(all, open)};
 }
 
 std::optional<distance::OptimumOf<BoxComplex>> SpaceSolver::minimum_of(const Formula& formula) const {

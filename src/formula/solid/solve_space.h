@@ -104,6 +104,7 @@ class SpaceSolver {
   struct OnLine {
     plane::Section marks;
     Side side = Side::kExact;  // of the true set
+    plane::Section undecided;  // marks 1 where a search does not tell whether the formula holds
   };
   /// Where the formula holds along a line: marks 1, and 0 elsewhere, by the length gone from `through`, in grid steps.
   OnLine feasible_on(const Formula& formula, const SpaceLine& line) const;

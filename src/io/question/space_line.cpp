@@ -26,6 +26,17 @@ std::vector<plane::LineInterval> SpaceLineMap::possible() const {
   return side == formula::Side::kOuter ? feasible : std::vector<plane::LineInterval>(1);  // the whole line
 }
 
+namespace {
+
+/// Shorter pieces are what every search leaves about an end.
+constexpr double kWide = 0x1p-20;  // no sign: of the length between the first change and the last
+
+double extent(const plane::Section& line) {
+  return line.stops.empty() ? 0 : (line.stops.back().t - line.stops.front().t).to_double();
+}
+
+}  // namespace
+
 SpaceLineMap space_line_map(const AskedScene& asked, const formula::SpaceSolver& solver,
                             const formula::Formula& formula) {
   const Free& free = asked.scene().free;
@@ -38,6 +49,10 @@ SpaceLineMap space_line_map(const AskedScene& asked, const formula::SpaceSolver&
   SpaceLineMap map;
   map.feasible = map.intervals = plane::intervals(found.marks, exact::Real(1));
   map.side = found.side;
+  map.undecided = plane::intervals(found.undecided, exact::Real(1));
+  const double least = kWide * (extent(found.marks) + extent(found.undecided));
+  std::erase_if(map.undecided,
+                [&](const plane::LineInterval& i) { return i.from && i.to && (*i.to - *i.from).to_double() < least; });
   const auto goal = asked.goal();
   if (!goal) return map;
   formula::LineOptimum best =
@@ -49,7 +64,7 @@ SpaceLineMap space_line_map(const AskedScene& asked, const formula::SpaceSolver&
 
 std::string space_line_json(const AskedScene& asked, const SpaceLineMap& map) {
   return intervals_json(map.intervals, asked.step(), asked.unit(), map.extreme ? &*map.extreme : nullptr,
-                        map.side == formula::Side::kExact ? "" : formula::name(map.side));
+                        map.side == formula::Side::kExact ? "" : formula::name(map.side), map.undecided);
 }
 
 Answer::Data map_of_space_line(AskedScene given) {
@@ -61,6 +76,7 @@ Answer::Data map_of_space_line(AskedScene given) {
   const auto map = std::make_shared<const SpaceLineMap>(space_line_map(given, *solver, formula));
   if (map->side != formula::Side::kExact)
     given.note("protrusions are found by search: ends may be off by 2^-30 of the sizes");
+  if (!map->undecided.empty()) given.note("of the intervals \"undecided\" it is not known whether they belong");
   std::string title = fmt::format("Positions of {} on the line", fmt::join(given.scene().moving, ", "));
   if (const auto goal = given.goal())
     title += fmt::format(" with the {} {}", map->extreme->maximum() ? "greatest" : "least", goal->text);

@@ -21,7 +21,8 @@ struct SpaceLineMap {
   /// Lengths from where the line goes through, in grid steps: where the formula holds, and the best of these where
   /// there is an objective.
   std::vector<plane::LineInterval> feasible{}, intervals{};
-  formula::Side side = formula::Side::kExact;  // on which `feasible` lies
+  std::vector<plane::LineInterval> undecided{};  // wide pieces of which a search does not tell whether they belong
+  formula::Side side = formula::Side::kExact;    // on which `feasible` lies
   std::optional<distance::OptimalValue> extreme{};
 
   /// What certainly belongs, and what possibly does.

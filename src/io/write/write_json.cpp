@@ -178,7 +178,8 @@ void region_json(const plane::Region& region, const plane::Summary& summary, con
 }
 
 std::string intervals_json(const std::vector<plane::LineInterval>& intervals, const exact::Real& step,
-                           std::string_view unit, const distance::OptimalValue* best, std::string_view side) {
+                           std::string_view unit, const distance::OptimalValue* best, std::string_view side,
+                           const std::vector<plane::LineInterval>& undecided) {
   const Twofold factor(step);
   auto end = [&](const std::optional<exact::Real>& t) {
     return t ? json_number((Twofold(*t) * factor).value()) : "null";
@@ -190,8 +191,9 @@ std::string intervals_json(const std::vector<plane::LineInterval>& intervals, co
   std::string members;
   if (best != nullptr) members = " " + optimum_members(*best);
   const std::string bound = side.empty() ? "" : fmt::format(" \"side\": {},", json_string(side));
-  return fmt::format("{{{}\"empty\": {},{}{} \"intervals\": {}}}\n", unit_key(unit), truth(intervals.empty()), bound,
-                     members, list(intervals, text));
+  const std::string open = undecided.empty() ? "" : fmt::format(", \"undecided\": {}", list(undecided, text));
+  return fmt::format("{{{}\"empty\": {},{}{} \"intervals\": {}{}}}\n", unit_key(unit), truth(intervals.empty()), bound,
+                     members, list(intervals, text), open);
 }
 
 }  // namespace findspace::io

@@ -41,6 +41,6 @@ void region_json(const plane::Region& region, const plane::Summary& summary, con
 /// set the intervals may lie; empty where they are exact.
 std::string intervals_json(const std::vector<plane::LineInterval>& intervals, const exact::Real& step,
                            std::string_view unit, const distance::OptimalValue* best = nullptr,
-                           std::string_view side = {});
+                           std::string_view side = {}, const std::vector<plane::LineInterval>& undecided = {});
 
 }  // namespace findspace::io
