@@ -149,7 +149,7 @@ TEST(CutSolid, HasSignsBesideAnotherOneWhereTheEndsTellThem) {
   rays.shapes.emplace("B", RayShape(cup()));
   rays.moving = {"B"};
   rays.step = Real(1);
-  const std::vector<std::pair<K, int>> wanted{{K::kGamma2, 60}, {K::kEta2, 40}};
+  const std::vector<std::pair<K, int>> wanted{{K::kGamma2, 60}};
   for (const auto& [kind, level] : wanted) {
     const auto line = signs_on_line(rays, {named(kind), Real(level), false}, *grid_through(space::place(2, 1, 0), 2));
     ASSERT_TRUE(line) << line.refusal().error.what();
