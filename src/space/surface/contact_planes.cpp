@@ -3,6 +3,7 @@
 #include "space/surface/contact_planes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "exact/margins/rounding.h"
@@ -163,14 +164,19 @@ std::optional<std::vector<Plane>> ContactPlanes::near(const Vector& middle, doub
   const auto down = [](double c) { return static_cast<std::int64_t>(std::floor(c)) - 1; };
   const Point from{down(middle.x - reach), down(middle.y - reach), down(middle.z - reach)};
   const std::int64_t wide = static_cast<std::int64_t>(std::ceil(2 * reach)) + 3;
-  std::size_t pairs = 0;
+  std::vector<std::array<int, 2>> pairs;  // counted first, which is cheaper
   const bool many = any_pair(a_tree_, b_tree_, from, Point{wide, wide, wide}, [&](int f, int g) {
-    if (++pairs > most_pairs) return true;
-    found.add(f, g);
-    if (found.planes().size() > 4 * most + 64) found.drop_repeated();
-    return found.planes().size() > 4 * most + 64;
+    if (pairs.size() == most_pairs) return true;
+    pairs.push_back({f, g});
+    return false;
   });
   if (many) return std::nullopt;
+  for (const auto& [f, g] : pairs) {
+    found.add(f, g);
+    if (found.planes().size() <= 4 * most + 64) continue;
+    found.drop_repeated();
+    if (found.planes().size() > 4 * most + 64) return std::nullopt;
+  }
   found.drop_repeated();
   if (found.planes().size() > most) return std::nullopt;
   return std::move(found.planes());
