@@ -43,6 +43,10 @@ class ContactBoxes {
 
     space::Vector half() const { return space::scaled(0.5, of.high - of.low); }
   };
+  /// Whether a place tells that the interiors meet in all of the box.
+  bool overlaps(int k);
+  /// At all positions of the box that are nearer to p than that they do; at least `known`, which is known.
+  double overlap(int k, const space::Vector& p, double known);
   /// The box number k, looked at; the first one holds all of the frontier. One that many planes pass is divided, but
   /// where these may all pass through one place, which is asked now and then: its state is `many`.
   const Box& look(int k);
@@ -70,7 +74,7 @@ class ContactBoxes {
   double size_ = 0;
   std::deque<Box> boxes_;
   space::RealOverlap::Recent recent_;
-  int likely_ = SurfaceDepths::kNone;
+  int likely_ = SurfaceDepths::kNone, likely_near_ = SurfaceDepths::kNone;
 };
 
 namespace {
@@ -104,14 +108,27 @@ ContactBoxes::ContactBoxes(const space::SurfaceSet& b, const space::SurfaceSet& 
   boxes_.push_back({complete, 0, none ? State::kOverlap : State::kNew, -1, {}});
 }
 
+bool ContactBoxes::overlaps(int k) {
+  Box& box = boxes_[static_cast<std::size_t>(k)];
+  if (box.state != State::kNew) return box.state == State::kOverlap;
+  const bool deeper = depths_.deeper(box.of.middle(), space::length(box.half()) + margin::kDepthNoise * size_, likely_);
+  if (deeper) box.state = State::kOverlap;
+  return deeper;
+}
+
+double ContactBoxes::overlap(int k, const Vector& p, double known) {
+  Box& box = boxes_[static_cast<std::size_t>(k)];
+  const double out = depths_.overlap(box.of, p, known, likely_near_);
+  if (out == exact::kInfinity) box.state = State::kOverlap;
+  return out;
+}
+
 const ContactBoxes::Box& ContactBoxes::look(int k) {
   Box& box = boxes_[static_cast<std::size_t>(k)];
   if (box.state != State::kNew) return box;
   const Vector middle = box.of.middle();
   const double half = space::length(box.half());
-  if (depths_.deeper(middle, half + margin::kDepthNoise * size_, likely_)) {
-    box.state = State::kOverlap;
-  } else if (const auto planes = planes_.near(middle, half, kFewPlanes, kFewPairs)) {
+  if (const auto planes = planes_.near(middle, half, kFewPlanes, kFewPairs)) {
     box.state = State::kPlanes;
     box.planes = half_spaces(*planes);
   } else if (tiny(box) || box.level % kOften == kOften - 1) {
@@ -155,7 +172,7 @@ class ContactSearch {
         near_(space::rounded(p)),
         farthest_(farthest),
         size_(boxes.size() + space::length(near_)) {
-    push(0);
+    push(0, -exact::kInfinity);
   }
 
   SurfaceContact run() {
@@ -177,18 +194,35 @@ class ContactSearch {
   struct Task {
     double key;  // nothing in it is nearer; or minus that nothing is farther
     int box;
+    bool told = false;  // how near its positions do not overlap
     bool operator<(const Task& o) const { return key != o.key ? key > o.key : box > o.box; }
   };
 
   bool beyond(double key) const { return key > best_ + margin::kContactSlack * size_; }
 
-  void push(int k) {
+  void push(int k, double least) {
     const space::Extent& of = boxes_.box(k).of;
-    const double key = farthest_ ? -of.farthest(near_) : of.distance(near_);
-    if (!beyond(key)) queue_.push({key, k});
+    push(Task{std::max(least, farthest_ ? -of.farthest(near_) : of.distance(near_)), k});
+  }
+
+  /// Not where all of the box is known to overlap.
+  void push(const Task& task) {
+    const double most = farthest_ ? exact::kInfinity : boxes_.box(task.box).of.farthest(near_);
+    if (!beyond(task.key) && task.key <= most + margin::kContactSlack * size_) queue_.push(task);
+  }
+
+  /// Whether nothing in the box is so near as its key says: then it waits, if it has something.
+  bool waits(const Task& task) {
+    if (boxes_.overlaps(task.box)) return true;
+    if (farthest_ || task.told || boxes_.box(task.box).state != ContactBoxes::State::kNew) return false;
+    const double least = boxes_.overlap(task.box, near_, task.key);
+    if (!(least > task.key)) return false;
+    push(Task{least, task.box, true});
+    return true;
   }
 
   void look(const Task& task) {
+    if (waits(task)) return;
     const Box& box = boxes_.look(task.box);
     if (box.state == ContactBoxes::State::kPlanes) test(box);
     if (box.state == ContactBoxes::State::kMany && !test_many(task.box)) {
@@ -198,7 +232,7 @@ class ContactSearch {
         boxes_.divide(task.box);
     }
     if (box.state != ContactBoxes::State::kDivided) return;
-    for (int part = 0; part < 8; ++part) push(box.first + part);
+    for (int part = 0; part < 8; ++part) push(box.first + part, task.key);
   }
 
   /// All candidates of a box that few planes pass.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "distance/search/boundary_cells.h"
 #include "exact/margins/space_distance.h"
 
 namespace findspace::distance {
@@ -18,13 +19,56 @@ constexpr int kMostLooks = 400;
 /// Balls in a solid, at most.
 constexpr std::size_t kMostBalls = 300;
 
-/// Faces of a mesh whose middles are places: in a finer one the corners are as near to one another, and the middles are
-/// five times as many.
-constexpr std::size_t kMostMiddles = 200000;
+/// Faces of a mesh whose middles are places: in a finer one the corners are as near to one another, and among five
+/// times as many the deepest one is not found within so many looks.
+constexpr std::size_t kMostMiddles = 50000;
+
+/// Of half a box: places so deep are asked how far they overlap, the deepest first.
+constexpr std::array<double, 2> kShares{0.5, 0.125};
 
 Vector middle_of(const space::RayBody& body, int f) {
   const auto corner = [&](int k) { return exact::approx(body.corner(f, k)); };
   return space::scaled(1.0 / 3, space::plus(corner(0), space::plus(corner(1), corner(2))));
+}
+
+/// The least distance of x from what lies in the window of a surface, which is the only one, or less; infinite where
+/// nothing does.
+double distance_in(const SurfaceField& field, const space::Extent& window, const Vector& x) {
+  const space::BoxTree& tree = field.set().sheets()[0]->tree;
+  const auto side = [](double low, double high, std::int64_t from, std::int64_t to, double at) {
+    const double lo = std::max(low, static_cast<double>(from)), hi = std::min(high, static_cast<double>(to));
+    return lo > hi ? exact::kInfinity : std::max({lo - at, at - hi, 0.0});
+  };
+  const auto gap = [&](const space::GridBox& box) {
+    return space::length({side(window.low.x, window.high.x, box.low.x, box.high.x, x.x),
+                          side(window.low.y, window.high.y, box.low.y, box.high.y, x.y),
+                          side(window.low.z, window.high.z, box.low.z, box.high.z, x.z)});
+  };
+  double out = exact::kInfinity;
+  tree.nearest_first(
+      gap, [&](double away) { return away < out; },
+      [&](int k) {
+        out = std::min(out, std::max(field.distance(tree.face(k), x), gap(tree.box(k))));
+        return true;
+      });
+  return out;
+}
+
+/// Times that a position is moved away and back into the box.
+constexpr int kMoves = 4;
+
+/// A position of the box near its middle that is about so far away, or farther.
+Vector probe(const space::Extent& box, const Vector& from, double away) {
+  Vector at = box.middle();
+  for (int k = 0; k < kMoves; ++k) {
+    const Vector way = at - from;
+    const double length = space::length(way);
+    if (!(length < away) || !(length > 0)) break;
+    const Vector x = space::plus(from, space::scaled(away / length, way));
+    at = {std::clamp(x.x, box.low.x, box.high.x), std::clamp(x.y, box.low.y, box.high.y),
+          std::clamp(x.z, box.low.z, box.high.z)};
+  }
+  return at;
 }
 
 }  // namespace
@@ -51,7 +95,9 @@ std::vector<SurfaceDepths::Place> SurfaceDepths::places_of(const space::SurfaceS
 }
 
 SurfaceDepths::SurfaceDepths(const space::SurfaceSet& b, const space::SurfaceSet& a, space::TouchSide side)
-    : trees_{Tree{{}, {}, FieldSamples(a), side == space::TouchSide::kInside, false},
+    : of_b_(b, {}),
+      of_a_(a, {}),
+      trees_{Tree{{}, {}, FieldSamples(a), side == space::TouchSide::kInside, false},
              Tree{{}, {}, FieldSamples(b), false, true}} {
   for (Tree& tree : trees_) {
     // Of the complement of A balls are not looked for.
@@ -168,6 +214,38 @@ bool SurfaceDepths::deeper(const Vector& position, double than, int& likely) {
     return true;
   }
   return false;
+}
+
+// Of the positions that are nearer than the surface in the window, which are convex with the one at which the place is
+// deep, none separates another one from that.
+double SurfaceDepths::told(int node, const space::Extent& box, const Vector& from, const Vector& position) const {
+  const double noise = margin::kDepthNoise * (size_ + space::length(from));
+  const Tree& tree = trees_[static_cast<std::size_t>(node % 2)];
+  const Vector place = tree.places[tree.nodes[static_cast<std::size_t>(node / 2)].begin].at;
+  const auto seen = [&](const Vector& q) { return tree.back ? place - q : space::plus(place, q); };
+  const SurfaceField& other = tree.back ? of_b_ : of_a_;
+  const SurfaceField::Signed at = other.at(seen(position));
+  if (!at.certain || !((tree.outward ? at.value : -at.value) > noise)) return 0;
+  space::Extent window{seen(box.low), seen(box.low)};
+  window.add({seen(box.high), seen(box.high)});
+  const double apart = distance_in(other, grown(window, noise), seen(from)) - noise;
+  return apart > space::length(position - from) + noise ? apart : 0;
+}
+
+double SurfaceDepths::overlap(const space::Extent& box, const Vector& from, double known, int& likely) {
+  const Vector position = probe(box, from, known);
+  const double half = space::length(box.high - box.low) / 2;
+  double most = likely == kNone ? known : std::max(known, told(likely, box, from, position));
+  if (most > known) return most;
+  for (const double share : kShares) {
+    int found = kNone;
+    if (!deeper(position, share * half + margin::kDepthNoise * size_, found)) continue;
+    const double next = told(found, box, from, position);
+    if (!(next > most)) continue;
+    likely = found;
+    return next;
+  }
+  return most;
 }
 
 }  // namespace findspace::distance

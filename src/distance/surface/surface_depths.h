@@ -3,10 +3,12 @@
 //
 // Whether two solids surely overlap at all positions near one, B moved there: where a place of B lies deeper in A than
 // a position may change, the interiors meet, or less deep by the radius of a ball about it in B; so does a place of A
-// in B. The places are the corners and, of surfaces that are not fine, the middles of the edges and faces of both, and
-// the centres of balls that touch some of the faces from inside, in trees of balls. Guarantee: doubles; a depth is
-// never decided as more than it is but for roundings. Cost: some dozen distances to a surface, about a microsecond
-// each, or a known one nearby (field_samples.h); the trees are divided where they are looked at. Threads: one at a
+// in B. And how near the positions may be at which they do not: where a place lies in the other solid, it does so at
+// all positions that no triangle separates from that one. The places are the corners and, of surfaces that are not
+// fine, the middles of the edges and faces of both, and the centres of balls that touch some of the faces from inside,
+// in trees of balls. Guarantee: doubles; a depth is never decided as more than it is but for roundings. Cost: some
+// dozen distances to a surface, about a microsecond each, or a known one nearby (field_samples.h), and for the second
+// question one distance of a part of the surface. The trees are divided where they are looked at. Threads: one at a
 // time. Source: the balls as in Ma, Bae, Choi 2012, "3D medial axis point approximation using nearest neighbors and the
 // normal field". Keywords: penetration depth, lower bound, bounding sphere hierarchy, shrinking ball.
 #pragma once
@@ -29,6 +31,9 @@ class SurfaceDepths {
   /// Whether a place lies deeper than that at the position; `likely`: one that may, and the one that does.
   bool deeper(const space::Vector& position, double than, int& likely);
   static constexpr int kNone = -1;
+  /// At all positions of the box that are nearer to `from` than that they overlap, as a place tells that no triangle of
+  /// the other surface separates from where it is; `known` where none tells more.
+  double overlap(const space::Extent& box, const space::Vector& from, double known, int& likely);
   /// Of the coordinates.
   double size() const { return size_; }
 
@@ -62,7 +67,10 @@ class SurfaceDepths {
   /// At the middle of the node, between bounds that tell whether its ball has a place that is deeper than that.
   static exact::Interval depth(const Tree& tree, const Node& node, const space::Vector& position, double than);
   static bool deeper(Tree& tree, const space::Vector& position, double than, int& likely);
+  /// The same as a place of the node tells, which lies deep at a position of the box.
+  double told(int node, const space::Extent& box, const space::Vector& from, const space::Vector& position) const;
 
+  SurfaceField of_b_, of_a_;
   std::array<Tree, 2> trees_;
   double size_ = 0;
 };
