@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <vector>
 
 #include "distance/rotation/motion_maps.h"
@@ -13,6 +14,7 @@
 #include "distance/rotation/rotation_in_time.h"
 #include "distance/rotation/rotation_motion.h"
 #include "distance/rotation/rotational_by_position.h"
+#include "distance/rotation/squared_bound.h"
 #include "distance_shapes.h"
 #include "plane/query/topology.h"
 #include "plane/walk/unite.h"
@@ -152,6 +154,60 @@ TEST(RotatingMotion, TheDepthOfConvexShapesKeepsToItsRate) {
   EXPECT_NEAR(most->high, -22e6, 1);
 }
 
+/// A disc on an arm of 3 passes a fixed one at 5: nearest, and smoothly so, where the arm points to it.
+TEST(RotatingMotion, ASmoothLeastGapHasNearBounds) {
+  constexpr std::int64_t kUnit = 1'000'000;
+  const Region arm = plane::region_of_disc(Real(3 * kUnit), Real(0), Real(kUnit / 2)),
+               fixed = plane::region_of_disc(Real(5 * kUnit), Real(0), Real(kUnit));
+  for (const auto& [which, sense, truth] :
+       {std::tuple{Which::kGamma1, Sense::kMinimum, 0.5}, std::tuple{Which::kD1, Sense::kMinimum, 0.5},
+        std::tuple{Which::kGamma2, Sense::kMinimum, 3.5}}) {
+    const auto v = RotatingMotion(arm, fixed, which, turning(-70, 101)).extremum({}, sense);
+    ASSERT_TRUE(v);
+    EXPECT_NEAR(v->low / kUnit, truth, 1e-9);
+    EXPECT_NEAR(v->high / kUnit, truth, 1e-9);
+  }
+  const auto most = RotatingMotion(arm, fixed, Which::kGamma2, turning(90, 271)).extremum({}, Sense::kMaximum);
+  ASSERT_TRUE(most);
+  EXPECT_NEAR(most->low / kUnit, 9.5, 1e-9);
+  EXPECT_NEAR(most->high / kUnit, 9.5, 1e-9);
+}
+
+/// What covers nothing at any time has a d* of 0, which rounding does not make negative.
+TEST(RotatingMotion, NoDistanceIsBelowZero) {
+  for (const Which which : {Which::kD1, Which::kDstar, Which::kDstarBack}) {
+    for (const Sense sense : {Sense::kMinimum, Sense::kMaximum}) {
+      const auto v = RotatingMotion(kSquare, room(2'000'000), which, turning(-7, 10)).extremum({}, sense);
+      ASSERT_TRUE(v);
+      EXPECT_GE(v->low, 0);
+      EXPECT_GE(v->high, v->low);
+    }
+  }
+}
+
+/// Between two instants no distance of a pair of points is beyond the bound, whatever is known beside them.
+TEST(SquaredBound, OfTwoPointsOnArms) {
+  const auto at = [](double s) { return std::hypot(5 - 3 * std::cos(s), 3 * std::sin(s)); };
+  const auto sample = [&](double s) { return SquaredSample{s, at(s)}; };
+  const PairMotion motion{3, 3};
+  for (double from = -1; from < 1; from += 0.0625) {
+    const double to = from + 0.125;
+    for (const PairsTaken taken : {PairsTaken::kNearest, PairsTaken::kFarthest}) {
+      const auto low =
+          squared_bound(taken, true, motion, sample(from), sample(to), sample(from - 0.125), sample(to + 0.125), 0);
+      const auto high =
+          squared_bound(taken, false, motion, sample(from), sample(to), sample(from - 0.125), sample(to + 0.125), 0);
+      ASSERT_TRUE(low && high);
+      for (double s = from; s <= to; s += 0.0078125) {
+        EXPECT_LE(*low, at(s));
+        EXPECT_GE(-*high, at(s));
+      }
+      EXPECT_GE(*low, std::min(at(from), at(to)) - 0.2);
+    }
+  }
+  EXPECT_FALSE(squared_bound(PairsTaken::kNone, true, motion, sample(0), sample(1), {}, {}, 0));
+}
+
 /// A segment is nowhere deep in itself: what lies deep is its points in B.
 TEST(RatedGap, ASegmentDeepInB) {
   const ShapePair pair(box(-10, -10, 10, 10), plane::region_of_chain(ring({{-30, 0}, {30, 0}})));
@@ -235,7 +291,8 @@ TEST(RotatingMotion, AnErrorSaysItsPlaceInTheUnit) {
   const Region thin = splinter();
   const Which gap = Which::kGamma1;
   expect_in_unit([&](double step) {
-    static_cast<void>(RotatingMotion(thin, kSquare, gap, turning(0, 90), step).extremum({}, Sense::kMinimum));
+    const RotatingMotion f(thin, kSquare, gap, turning(0, 90), step);
+    for (int k = 0; k < 200; ++k) static_cast<void>(f.instant({}, 0, Real::ratio(k, 200)));
   });
   expect_in_unit([&](double step) {
     static_cast<void>(RotationInTime(thin, kSquare, gap, {}, {}, turning(1, 84), step).extremum(Sense::kMinimum));

@@ -7,17 +7,13 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <tuple>
 #include <utility>
 
-#include "distance/planar_features/boundary_features.h"
+#include "distance/rotation/instant_search.h"
 #include "distance/rotation/rated_gap.h"
 #include "exact/margins/planar_distance.h"
 #include "exact/margins/rounding.h"
-#include "plane/base/subdivide.h"
-#include "plane/build/transform.h"
 #include "plane/offset/plain_sum.h"
-#include "plane/query/scaled.h"
 #include "plane/query/topology.h"
 
 namespace findspace::distance {
@@ -27,21 +23,17 @@ using exact::RealPoint;
 
 namespace {
 
-constexpr int kRefinements = 60;
-
-/// How many instants are looked at between the first ones; a fine search looks at more of small shapes, whose distances
-/// take less time.
-int most_instants(std::size_t edges, RotatingMotion::Effort effort) {
-  constexpr std::size_t kLeast = 400, kMost = 4000, kEdges = 200'000;
-  if (effort == RotatingMotion::Effort::kCoarse) return kLeast;
-  return static_cast<int>(std::clamp(kEdges / std::max<std::size_t>(edges, 1), kLeast, kMost));
+/// Cells of work: a coarse search is one of many.
+long most_work(RotatingMotion::Effort effort) {
+  constexpr long kCoarse = 4000, kFine = 20'000;
+  return plane::allowed(effort == RotatingMotion::Effort::kCoarse ? kCoarse : kFine);
 }
 
-/// As fine as the reach allows within the grid's 2^40 steps.
-std::int64_t refinement(double reach) {
-  std::int64_t factor = 1;
-  while (factor < (1 << 20) && reach * double(2 * factor) < double(std::int64_t{1} << 39)) factor *= 2;
-  return factor;
+/// What a look takes where boundaries tell the distance; where a map of positions does.
+long work_of_boundaries(const TurningShapes& shapes) { return 2 + long(shapes.edges()) / 8; }
+long work_of_map(const TurningShapes& shapes) {
+  constexpr long kOfMap = 50, kOfPair = 4;
+  return kOfMap + kOfPair * long(shapes.b().edges.size() * shapes.a().edges.size());
 }
 
 /// gamma (rated_gap.h) and mu change no faster than the shapes, eta1 and delta1 where they are not positive; but the
@@ -78,202 +70,121 @@ ValueRange penetration(const ValueRange& gap) { return {std::max(0.0, -gap.high)
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
 
-/// An instant that was looked at. f is rotated round for suprema, so that the least value is looked for.
-struct Sample {
-  std::size_t leg;
-  double s, f;
-  double rated;  // not above f: what bounds it beside
-};
+/// d* is 0, or minus the mu the other way: a shape lies in the other where no point of it is outside.
+Which plain_of_covered(Which which) { return which == Which::kDstar ? Which::kMuBack : Which::kMu; }
+bool is_covered(Which which) { return which == Which::kDstar || which == Which::kDstarBack; }
 
-/// Looks for the least f at instants of the motion: first evenly, then where it may be least (Piyavskii 1972), then
-/// beside the best one.
-class LeastSearch {
- public:
-  LeastSearch(const RotatingMotion& motion, const RealPoint& p, bool least)
-      : motion_(motion), p_(p), sign_(least ? 1 : -1) {}
-
-  void look_evenly(std::size_t legs) {
-    constexpr int kFirst = 8;
-    for (std::size_t leg = 0; leg < legs; ++leg) {
-      Sample before = look(leg, 0);
-      for (int k = 1; k <= kFirst; ++k) {
-        const Sample next = look(leg, double(k) / kFirst);
-        add(before, next);
-        before = next;
-      }
-      scale_ = std::max(scale_, motion_.rate(leg));
-    }
-  }
-
-  /// Until the best value is as near its bound as `enough`, and roundings allow, or `most` more instants are known.
-  void narrow(double enough, int most) {
-    least_gap_ = std::max(enough, scale_ * margin::kMotionGap);
-    gaps_.run(
-        most, [&](const Gap& gap) { return !(best_.f - gap.low > least_gap_); },
-        [&](const Gap& gap) {
-          const Sample middle = look(gap.a.leg, (gap.a.s + gap.b.s) / 2);
-          add(gap.a, middle);
-          add(middle, gap.b);
-        });
-  }
-
-  /// f is smooth or has one kink near its extremum: golden sections of the gaps beside the best instant.
-  void refine() {
-    constexpr double kGolden = 0.6180339887498949;  // no sign: where to look next
-    double from = 0, to = 0;
-    std::tie(from, to) = beside_best();
-    const std::size_t leg = best_.leg;
-    const auto inner = [&](bool first) {
-      return look(leg, first ? to - kGolden * (to - from) : from + kGolden * (to - from));
-    };
-    Sample low = inner(true), high = inner(false);
-    for (int k = 0; k < kRefinements && (to - from) * scale_ > least_gap_; ++k) {
-      if (low.f < high.f) {
-        to = high.s;
-        high = low;
-        low = inner(true);
-      } else {
-        from = low.s;
-        low = high;
-        high = inner(false);
-      }
-      keep_better(low);
-      keep_better(high);
-    }
-  }
-
-  const std::vector<Sample>& undefined() const { return undefined_; }  // instants that were looked at
-  const Sample& best() const { return best_; }
-  double certain() const { return gaps_.best().low; }  // f is nowhere less, if it keeps to its rate
-  double rounding() const { return rounding_; }
-  double most() const { return most_; }  // of the plain f
-
- private:
-  struct Gap {
-    Sample a, b;
-    double low;
-    bool operator<(const Gap& other) const { return low > other.low; }
-  };
-
-  Sample look(std::size_t leg, double s) {
-    const auto v = motion_.look(p_, leg, Real::from_double(s));
-    if (!v) return undefined_.emplace_back(Sample{leg, s, kNone, kNone});
-    rounding_ = std::max(rounding_, v->off);
-    most_ = std::max(most_, v->f);
-    if (sign_ > 0) return {leg, s, v->f, v->f};
-    return {leg, s, -v->f, -v->rated};
-  }
-
-  void keep_better(const Sample& k) {
-    if (k.f < best_.f) best_ = k;
-  }
-
-  void add(const Sample& a, const Sample& b) {
-    const double drop = motion_.rate(a.leg) * (b.s - a.s);
-    // Where f is undefined nothing is known of it beside: the other end bounds it.
-    const double low = std::isinf(a.rated) && std::isinf(b.rated) ? kNone
-                       : std::isinf(a.rated)                      ? b.rated - drop
-                       : std::isinf(b.rated)                      ? a.rated - drop
-                                                                  : (a.rated + b.rated - drop) / 2;
-    gaps_.push({a, b, low});
-    keep_better(a);
-    keep_better(b);
-  }
-
-  /// The instants looked at before and after the best one, on its leg.
-  std::pair<double, double> beside_best() const {
-    double from = best_.s, to = best_.s;
-    for (const Gap& g : gaps_.left()) {
-      if (g.a.leg != best_.leg) continue;
-      if (g.b.s == best_.s) from = g.a.s;
-      if (g.a.s == best_.s) to = g.b.s;
-    }
-    return {from, to};
-  }
-
-  const RotatingMotion& motion_;
-  const RealPoint& p_;
-  double sign_;
-  plane::Subdivision<Gap> gaps_;  // the lowest first
-  Sample best_{0, 0, kNone, kNone};
-  double scale_ = 0, least_gap_ = 0, rounding_ = 0, most_ = -kNone;
-  std::vector<Sample> undefined_;
-};
+bool may_be_negative(Which which) {
+  return which == Which::kGamma1 || which == Which::kMu || which == Which::kMuBack || is_of_fits(which);
+}
 
 }  // namespace
 
-double reach(const plane::Region& r) {
-  double most = 0;
-  for (const BoundaryFeature& s : features(r, [](plane::Mark m) { return m > 0; }))
-    most = std::max(most, s.farthest(0, 0));
-  return most;
-}
-
 RotatingMotion::RotatingMotion(const plane::Region& b, const plane::Region& a, Which which,
                                std::vector<RotatingPose> poses, double step)
-    : b_reach_(reach(b)),
-      a_reach_(reach(a)),
-      step_(step),
+    : RotatingMotion(std::make_shared<TurningShapes>(b, a, std::move(poses), step), which) {}
+
+RotatingMotion::RotatingMotion(std::shared_ptr<const TurningShapes> shapes, Which which)
+    : shapes_(std::move(shapes)),
       which_(which == Which::kPenetration ? Which::kGamma1 : which),
       negated_(which == Which::kPenetration),
-      keeps_rate_(which_ == Which::kGamma1 && is_convex(b) && is_convex(a)),
-      poses_(std::move(poses)) {
-  const std::int64_t factor = refinement(std::max(b_reach_, a_reach_));
-  b_ = plane::scaled(b, factor);
-  a_ = plane::scaled(a, factor);
-  factor_ = double(factor);
-  if (which_ == Which::kGamma1 && !keeps_rate_ && none_turns(poses_))
-    keeps_rate_ = standing({}, 0, Real(0)).rounding == 0;
+      keeps_rate_(which_ == Which::kGamma1 && is_convex(shapes_->b()) && is_convex(shapes_->a())) {
+  if (which_ == Which::kGamma1 && !keeps_rate_ && none_turns(shapes_->poses()))
+    keeps_rate_ = shapes_->standing(0, Real(0)).rounding == 0;
+}
+
+RotatingMotion RotatingMotion::of(Which which) const {
+  RotatingMotion out = *this;
+  out.which_ = which;
+  out.negated_ = false;
+  return out;
 }
 
 double RotatingMotion::rate(std::size_t leg) const {
-  const RotatingPose &p = poses_[leg], &q = poses_[leg + 1];
+  const RotatingPose &p = shapes_->poses()[leg], &q = shapes_->poses()[leg + 1];
   const double way = std::hypot(near_value(q.at.x - p.at.x), near_value(q.at.y - p.at.y));
   const double radians = std::numbers::pi / 180;
-  return way + radians * (std::abs(near_value(q.moving - p.moving)) * b_reach_ +
-                          std::abs(near_value(q.fixed - p.fixed)) * a_reach_);
+  return way + radians * (std::abs(near_value(q.moving - p.moving)) * shapes_->b_reach() +
+                          std::abs(near_value(q.fixed - p.fixed)) * shapes_->a_reach());
 }
 
-RotatingMotion::Standing RotatingMotion::standing(const RealPoint& p, std::size_t leg, const Real& s) const {
-  const RotatingPose& from = poses_[leg];
-  const RotatingPose& to = poses_[std::min(leg + 1, poses_.size() - 1)];
-  plane::Rounding rounding;
-  auto rotated = [&](const plane::Region& r, const Real& degrees) {
-    return plane::rotated(r, {0, 0}, degrees, step_ / factor_, rounding);
-  };
-  const plane::Region b = rotated(b_, between(from.moving, to.moving, s)),
-                      a = rotated(a_, between(from.fixed, to.fixed, s));
-  const Real f = Real::from_double(factor_);
-  const RealPoint at{f * (p.x + between(from.at.x, to.at.x, s)), f * (p.y + between(from.at.y, to.at.y, s))};
-  // Two shapes; ends of an arc carry its bulge along: twice what they moved.
-  return {ShapePair(b, a), at, 4 * rounding.largest};
+PairsTaken RotatingMotion::pairs_taken() const {
+  if (which_ == Which::kGamma2 || which_ == Which::kDiameter) return PairsTaken::kFarthest;
+  const bool bounded = plane::is_bounded(shapes_->b()) && plane::is_bounded(shapes_->a());
+  return which_ == Which::kD1 && bounded ? PairsTaken::kNearest : PairsTaken::kNone;
 }
 
-std::optional<RotatingMotion::Look> RotatingMotion::look(const Standing& standing) const {
-  const auto v = standing.pair.distance(which_)->value(standing.at);
-  if (!v) return std::nullopt;
-  const double found = v->value.to_double() / factor_, value = v->minus_infinity ? -kNone : found;
-  const double off = standing.rounding / factor_ + std::abs(found) * margin::kFewRoundings;
-  const bool rated = value >= 0 || rated_below_zero();
-  return Look{value, rated ? value : RatedGap(standing.pair, false).value(standing.at) / factor_, off};
+PairMotion RotatingMotion::pair_motion(std::size_t leg) const {
+  const RotatingPose &p = shapes_->poses()[leg], &q = shapes_->poses()[leg + 1];
+  const double radians = std::numbers::pi / 180, of_b = radians * near_value(q.moving - p.moving),
+               of_a = radians * near_value(q.fixed - p.fixed);
+  return {rate(leg) * margin::kUpward,
+          (of_b * of_b * shapes_->b_reach() + of_a * of_a * shapes_->a_reach()) * margin::kUpward};
 }
 
-std::optional<RotatingMotion::Look> RotatingMotion::look(const RealPoint& p, std::size_t leg, const Real& s) const {
-  return look(standing(p, leg, s));
+RotatingMotion::Look RotatingMotion::look_of(const Standing& standing, const PlanarAnswer& v) const {
+  const double factor = shapes_->factor();
+  if (v.minus_infinity) return {-kNone, -kNone, standing.rounding / factor};
+  const double value = v.value.to_double();
+  const OutwardEnds ends = outward(v.bounds());
+  const double open = v.proven ? 0 : std::max({0.0, ends.upper - value, value - ends.lower});
+  const double f = value / factor;
+  return {f, f, (standing.rounding + open) / factor + std::abs(f) * margin::kFewRoundings};
+}
+
+RotatingMotion::Look RotatingMotion::look_of_depth(const Standing& standing, const RealPoint& at,
+                                                   const Need& need) const {
+  const bool rated = !rated_below_zero() && need.bounded == Bounded::kAbove;
+  std::optional<double> bound;
+  if (rated) bound = RatedGap(standing.pair(), false).value(at) / shapes_->factor();
+  if (bound && *bound <= need.more_than) return {*bound, *bound, standing.rounding / shapes_->factor()};
+  // Its maps are not kept with the shapes.
+  const ShapePair& pair = standing.pair();
+  const auto v = AtPosition(std::make_shared<ShapePair>(pair.moving(), pair.fixed())).measure(Which::kGamma1, at);
+  Look out = look_of(standing, *v);
+  if (bound) out.rated = *bound;
+  return out;
+}
+
+RotatingMotion::Looked RotatingMotion::look(const RealPoint& p, std::size_t leg, const Real& s,
+                                            const Need& need) const {
+  const Standing here = shapes_->standing(leg, s);
+  const RealPoint at = shapes_->place(p, leg, s);
+  const long light = work_of_boundaries(*shapes_), heavy = light + work_of_map(*shapes_);
+  if (which_ == Which::kGamma1) {
+    const auto apart = here.measured->measure(Which::kD1, at);
+    if (!apart) return {std::nullopt, light};
+    if (apart->minus_infinity || apart->value.sign() > 0) return {look_of(here, *apart), light};
+    return {look_of_depth(here, at, need), heavy};
+  }
+  if (is_covered(which_)) {
+    const auto v = here.measured->measure(plain_of_covered(which_), at);
+    const auto covered = cut_off(v, true);
+    return {covered ? std::optional(look_of(here, *covered)) : std::nullopt, light};
+  }
+  if (!is_of_fits(which_)) {
+    const auto v = here.measured->measure(which_, at);
+    return {v ? std::optional(look_of(here, *v)) : std::nullopt, light};
+  }
+  const ShapePair& pair = here.pair();
+  const auto v = AtPosition(std::make_shared<ShapePair>(pair.moving(), pair.fixed())).measure(which_, at);
+  return {v ? std::optional(look_of(here, *v)) : std::nullopt, heavy};
 }
 
 std::optional<ValueRange> RotatingMotion::plain_instant(const RealPoint& p, std::size_t leg, const Real& s) const {
-  const Standing here = standing(p, leg, s);
-  const auto v = look(here);
+  const Standing here = shapes_->standing(leg, s);
+  const RealPoint at = shapes_->place(p, leg, s);
+  const double factor = shapes_->factor();
+  const auto v = look(p, leg, s, Need{}).look;
   const bool second = which_ == Which::kEta2 || which_ == Which::kDelta2;
   if (is_of_fits(which_) && here.rounding > 0 && (second || !v || v->f + v->off > 0)) {
-    const double least = v ? std::min(v->f, 0.0) - v->off : -here.rounding / factor_;
-    return second ? farthest_fit(here) : nearest_fit(here, least);
+    const double least = v ? std::min(v->f, 0.0) - v->off : -here.rounding / factor;
+    return second ? farthest_fit(here, at) : nearest_fit(here, at, least);
   }
   if (!v) return std::nullopt;
   if (v->f >= 0 || rated_below_zero() || here.rounding == 0) return ValueRange{v->f - v->off, v->f + v->off};
-  const ValueRange depth = RatedGap(here.pair, false).depth(here.at, Real::from_double(here.rounding));
-  return ValueRange{depth.low / factor_ - v->off, std::min(depth.high / factor_, v->rated) + v->off};
+  const ValueRange depth = RatedGap(here.pair(), false).depth(at, Real::from_double(here.rounding));
+  return ValueRange{depth.low / factor - v->off, std::min(depth.high / factor, v->rated) + v->off};
 }
 
 ShapePair RotatingMotion::with_container(const ShapePair& pair, double grown) const {
@@ -282,21 +193,22 @@ ShapePair RotatingMotion::with_container(const ShapePair& pair, double grown) co
   return {plane::plain_offset(pair.moving(), by), pair.fixed()};
 }
 
-std::optional<ValueRange> RotatingMotion::nearest_fit(const Standing& here, double least) const {
-  const auto all = range_at(with_container(here.pair, here.rounding), which_, here.at);
+std::optional<ValueRange> RotatingMotion::nearest_fit(const Standing& here, const RealPoint& at, double least) const {
+  const auto all = range_at(with_container(here.pair(), here.rounding), which_, at);
   if (!all) return std::nullopt;
-  const auto certain = range_at(with_container(here.pair, -here.rounding), which_, here.at);
-  return ValueRange{std::max(all->low / factor_, least), certain ? certain->high / factor_ : kNone};
+  const auto certain = range_at(with_container(here.pair(), -here.rounding), which_, at);
+  return ValueRange{std::max(all->low / shapes_->factor(), least), certain ? certain->high / shapes_->factor() : kNone};
 }
 
-std::optional<ValueRange> RotatingMotion::farthest_fit(const Standing& here) const {
-  const ShapePair large = with_container(here.pair, here.rounding);
-  const auto all = range_at(large, which_, here.at);
+std::optional<ValueRange> RotatingMotion::farthest_fit(const Standing& here, const RealPoint& at) const {
+  const double factor = shapes_->factor();
+  const ShapePair large = with_container(here.pair(), here.rounding);
+  const auto all = range_at(large, which_, at);
   if (!all) return std::nullopt;
-  const auto certain = range_at(with_container(here.pair, -here.rounding), which_, here.at);
-  if (certain) return ValueRange{certain->low / factor_, all->high / factor_};
-  const auto nearest = range_at(large, fits_into_fixed(which_) ? Which::kEta1 : Which::kDelta1, here.at);
-  return ValueRange{nearest ? std::max(0.0, nearest->low / factor_) : 0.0, kNone};
+  const auto certain = range_at(with_container(here.pair(), -here.rounding), which_, at);
+  if (certain) return ValueRange{certain->low / factor, all->high / factor};
+  const auto nearest = range_at(large, fits_into_fixed(which_) ? Which::kEta1 : Which::kDelta1, at);
+  return ValueRange{nearest ? std::max(0.0, nearest->low / factor) : 0.0, kNone};
 }
 
 std::optional<ValueRange> RotatingMotion::instant(const RealPoint& p, std::size_t leg, const Real& s) const {
@@ -306,28 +218,61 @@ std::optional<ValueRange> RotatingMotion::instant(const RealPoint& p, std::size_
 
 std::optional<ValueRange> RotatingMotion::extremum(const RealPoint& p, Sense sense, double enough,
                                                    Effort effort) const {
-  if (poses_.size() == 1) return instant(p, 0, Real(0));
-  const auto v = plain_extremum(p, (sense == Sense::kMinimum) != negated_, enough, effort);
-  return v && negated_ ? penetration(*v) : v;
+  if (shapes_->poses().size() == 1) return instant(p, 0, Real(0));
+  auto v = plain_extremum(p, {(sense == Sense::kMinimum) != negated_, enough, effort});
+  if (v && negated_) return penetration(*v);
+  if (v && !may_be_negative(which_)) v = ValueRange{std::max(0.0, v->low), std::max(0.0, v->high)};
+  return v;
 }
 
-std::optional<ValueRange> RotatingMotion::plain_extremum(const RealPoint& p, bool least, double enough,
-                                                         Effort effort) const {
-  LeastSearch search(*this, p, least);
-  search.look_evenly(poses_.size() - 1);
-  const auto at = [&](const Sample& k) { return plain_instant(p, k.leg, Real::from_double(k.s)); };
-  const std::vector<Sample>& undefined = search.undefined();
+std::optional<ValueRange> RotatingMotion::plain_extremum(const RealPoint& p, const Searched& search) const {
+  if (auto v = extremum_by_boundaries(p, search)) return v;
+  return extremum_of_all(p, search);
+}
+
+std::optional<ValueRange> RotatingMotion::extremum_by_boundaries(const RealPoint& p, const Searched& search) const {
+  if (which_ == Which::kGamma1) return extremum_apart(p, search);
+  if (!search.least || (which_ != Which::kEta1 && which_ != Which::kDelta1)) return std::nullopt;
+  const auto v = of(which_ == Which::kEta1 ? Which::kMu : Which::kMuBack).plain_extremum(p, search);
+  return v && v->high <= 0 ? v : std::nullopt;
+}
+
+/// A least gap above 0 is that of all instants; a greatest one that of those at which the shapes are apart.
+std::optional<ValueRange> RotatingMotion::extremum_apart(const RealPoint& p, const Searched& search) const {
+  const RotatingMotion d1 = of(Which::kD1);
+  InstantSearch instants(d1, p, search.least, most_work(search.effort));
+  const auto apart = [&] { return instants.undefined().empty() && std::abs(instants.best().f) > 0; };
+  instants.look_evenly(legs());
+  if (!apart()) return std::nullopt;
+  instants.narrow(search.enough, search.least ? 0 : -kNone);
+  if (!apart()) return std::nullopt;
+  instants.refine();
+  if (!apart()) return std::nullopt;
+  const double found = instants.best().f + instants.rounding();
+  const double below = std::min(instants.best().f, instants.certain()) - instants.rounding();
+  if (!search.least) return ValueRange{-found, -below};
+  if (below < 0 && !rated_below_zero()) return ValueRange{std::min(below, least_gap()), found};
+  return ValueRange{below, found};
+}
+
+std::optional<ValueRange> RotatingMotion::extremum_of_all(const RealPoint& p, const Searched& asked) const {
+  const bool least = asked.least;
+  InstantSearch search(*this, p, least, most_work(asked.effort));
+  search.look_evenly(legs());
+  const auto at = [&](const InstantSearch::Sample& k) { return plain_instant(p, k.leg, Real::from_double(k.s)); };
+  const std::vector<InstantSearch::Sample>& undefined = search.undefined();
   // Whether what was rounded plays no part in it, at some of the instants from the first one on.
   const auto is_certain = [&](std::size_t first) {
     constexpr std::ptrdiff_t kMost = 10;
     const auto from = undefined.begin() + std::ptrdiff_t(first);
-    return std::any_of(from, from + std::min(kMost, undefined.end() - from), [&](const Sample& k) { return !at(k); });
+    return std::any_of(from, from + std::min(kMost, undefined.end() - from),
+                       [&](const InstantSearch::Sample& k) { return !at(k); });
   };
   const bool of_fits = is_of_fits(which_);
   if (!of_fits && !undefined.empty()) return std::nullopt;  // at all times, of a complement
   if (!least && is_certain(0)) return std::nullopt;
   const std::size_t evenly = undefined.size();
-  search.narrow(enough, most_instants(b_.edges.size() + a_.edges.size(), effort));
+  search.narrow(asked.enough);
   if (search.best().f == -kNone) return ValueRange{-kNone, at(search.best())->high};
   const double certain = search.certain();
   const bool none = search.best().f == kNone && !undefined.empty();
@@ -342,22 +287,21 @@ std::optional<ValueRange> RotatingMotion::plain_extremum(const RealPoint& p, boo
     const auto best = at(none ? undefined.front() : search.best());
     found = !best ? kNone : least ? best->high : -best->low;
   }
-  if (least && of_fits && !rated) from_below = least_protrusion(p, enough);
+  if (least && of_fits && !rated) from_below = least_protrusion(p, asked.enough);
   if (from_below == kNone) return std::nullopt;
   if (!rated_below_zero() && least && from_below < 0) from_below = std::min(from_below, least_gap());
   return least ? ValueRange{from_below, found} : ValueRange{-found, -from_below};
 }
 
 double RotatingMotion::least_protrusion(const RealPoint& p, double enough) const {
-  RotatingMotion mu = *this;
-  mu.which_ = fits_into_fixed(which_) ? Which::kMu : Which::kMuBack;
-  const auto v = mu.plain_extremum(p, true, enough, Effort::kCoarse);
+  const auto v =
+      of(fits_into_fixed(which_) ? Which::kMu : Which::kMuBack).plain_extremum(p, {true, enough, Effort::kCoarse});
   return v ? v->low : kNone;
 }
 
 double RotatingMotion::least_gap() const {
-  if (!plane::is_bounded(a_) || !plane::is_bounded(b_)) return -kNone;
-  return -(b_reach_ + a_reach_) * margin::kUpward - margin::kUpwardSteps;
+  if (!plane::is_bounded(shapes_->a()) || !plane::is_bounded(shapes_->b())) return -kNone;
+  return -(shapes_->b_reach() + shapes_->a_reach()) * margin::kUpward - margin::kUpwardSteps;
 }
 
 }  // namespace findspace::distance

@@ -11,41 +11,22 @@
 // where they are positive, there is no such rate: below they are bounded by mu, above not at all over time; at an
 // instant by the places that are certain whatever was rounded, and those that are possible. Nor has a gap below 0 (a
 // penetration above), except between convex shapes or where none turns: rated_gap.h bounds the greatest over time and
-// the one at an instant, discs about both shapes the least. Not exact. Cost: up to 400 pairs of rotated shapes (a fine
-// search: 4000 of few edges), and 60 for the refinement. Source: distances.md 7.3; Piyavskii 1972, Shubert 1972.
-// Keywords: rotating obstacle, Lipschitz optimisation, continuous collision detection.
+// the one at an instant, discs about both shapes the least. Not exact. Where shapes are apart the gap is taken from
+// their boundaries alone, and an eta1 or delta1 that is nowhere above 0 from mu, which it equals. Cost: a stated amount
+// of work (instant_search.h): some thousand instants where boundaries tell the distance, some dozen where maps of
+// positions do. Source: distances.md 7.3; Piyavskii 1972, Shubert 1972. Keywords: rotating obstacle, Lipschitz
+// optimisation, continuous collision detection.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
-#include "distance/planar/shape_pair.h"
 #include "distance/planar_least/best_position.h"
+#include "distance/rotation/squared_bound.h"
+#include "distance/rotation/turning_shapes.h"
 
 namespace findspace::distance {
-
-/// Where and how rotated both shapes are at one time: `at` = b - a, angles in degrees; `fixed_at` = a, which distances
-/// in rotation ask for, since their centre stands still.
-struct RotatingPose {
-  exact::RealPoint at;
-  exact::Real moving, fixed;
-  exact::RealPoint fixed_at{};
-};
-
-inline exact::Real between(const exact::Real& from, const exact::Real& to, const exact::Real& s) {
-  return from + s * (to - from);
-}
-inline exact::RealPoint between(const exact::RealPoint& from, const exact::RealPoint& to, const exact::Real& s) {
-  return {between(from.x, to.x, s), between(from.y, to.y, s)};
-}
-
-inline RotatingPose between(const RotatingPose& p, const RotatingPose& q, const exact::Real& s) {
-  return {between(p.at, q.at, s), between(p.moving, q.moving, s), between(p.fixed, q.fixed, s),
-          between(p.fixed_at, q.fixed_at, s)};
-}
-
-/// At least the greatest distance of a point of the set from the origin, in grid steps.
-double reach(const plane::Region& r);
 
 class RotatingMotion {
  public:
@@ -53,6 +34,8 @@ class RotatingMotion {
   /// of an error.
   RotatingMotion(const plane::Region& b, const plane::Region& a, Which which, std::vector<RotatingPose> poses,
                  double step = 1);
+  /// Of shapes that questions share.
+  RotatingMotion(std::shared_ptr<const TurningShapes> shapes, Which which);
 
   /// At part `s` (0 to 1) of leg `k`; nothing where undefined whatever was rounded; from -infinity where f is.
   std::optional<ValueRange> instant(const exact::RealPoint& p, std::size_t leg, const exact::Real& s) const;
@@ -60,7 +43,22 @@ class RotatingMotion {
   struct Look {
     double f, rated, off;  // rated: what changes at the rate; f, but in place of a gap below 0 that of rated_gap.h
   };
-  std::optional<Look> look(const exact::RealPoint& p, std::size_t leg, const exact::Real& s) const;
+  /// Which bound of f a look is for. Only one above needs `rated` where it is not f.
+  enum class Bounded { kBelow, kAbove };
+  /// f may be given as `rated`, which is not less, where it is not more than this.
+  struct Need {
+    Bounded bounded = Bounded::kAbove;
+    double more_than = -exact::kInfinity;
+  };
+  struct Looked {
+    std::optional<Look> look;
+    long work;  // cells (search_work.h)
+  };
+  Looked look(const exact::RealPoint& p, std::size_t leg, const exact::Real& s, const Need& need) const;
+  /// `rated` alone is asked for.
+  std::optional<Look> look(const exact::RealPoint& p, std::size_t leg, const exact::Real& s) const {
+    return look(p, leg, s, {Bounded::kAbove, exact::kInfinity}).look;
+  }
   /// `rated` is f where it is negative as well.
   bool rated_below_zero() const { return which_ != Which::kGamma1 || keeps_rate_; }
   /// Over the whole time, until its bounds are as near as `enough`: of one end a value that f takes is known, or of eta
@@ -71,37 +69,46 @@ class RotatingMotion {
 
   /// By how much f may change over the whole of a leg, in proportion to its part.
   double rate(std::size_t leg) const;
+  /// For squared_bound.h.
+  PairsTaken pairs_taken() const;
+  PairMotion pair_motion(std::size_t leg) const;
 
  private:
-  /// Both shapes as they stand at an instant.
-  struct Standing {
-    ShapePair pair;
-    exact::RealPoint at;
-    double rounding;  // by how much a point of either is off, in steps of the fine grid
+  using Standing = TurningShapes::Standing;
+  struct Searched {
+    bool least;
+    double enough;
+    Effort effort;
   };
-  Standing standing(const exact::RealPoint& p, std::size_t leg, const exact::Real& s) const;
-  std::optional<Look> look(const Standing& standing) const;
+
+  /// The same shapes for another distance.
+  RotatingMotion of(Which which) const;
+  Look look_of(const Standing& standing, const PlanarAnswer& v) const;
+  /// Of a gap below 0.
+  Look look_of_depth(const Standing& standing, const exact::RealPoint& at, const Need& need) const;
   /// The container made larger or smaller by the rounding: all the places where the other fits; some that are certain.
   ShapePair with_container(const ShapePair& pair, double grown) const;
   /// Of eta1, delta1 at least `least`; of eta2, delta2. Undefined only where nothing can fit.
-  std::optional<ValueRange> nearest_fit(const Standing& here, double least) const;
-  std::optional<ValueRange> farthest_fit(const Standing& here) const;
+  std::optional<ValueRange> nearest_fit(const Standing& here, const exact::RealPoint& at, double least) const;
+  std::optional<ValueRange> farthest_fit(const Standing& here, const exact::RealPoint& at) const;
   /// Of a penetration that of the gap.
   std::optional<ValueRange> plain_instant(const exact::RealPoint& p, std::size_t leg, const exact::Real& s) const;
   /// The least or the greatest value; of a penetration that of the gap.
-  std::optional<ValueRange> plain_extremum(const exact::RealPoint& p, bool least, double enough, Effort effort) const;
+  std::optional<ValueRange> plain_extremum(const exact::RealPoint& p, const Searched& search) const;
+  /// Where boundaries alone tell it: a gap of shapes that are apart, an eta1 or delta1 that is not above 0.
+  std::optional<ValueRange> extremum_by_boundaries(const exact::RealPoint& p, const Searched& search) const;
+  std::optional<ValueRange> extremum_apart(const exact::RealPoint& p, const Searched& search) const;
+  std::optional<ValueRange> extremum_of_all(const exact::RealPoint& p, const Searched& search) const;
   /// No eta or delta is less over the time.
   double least_protrusion(const exact::RealPoint& p, double enough) const;
   /// No gap is less, as both shapes lie in discs.
   double least_gap() const;
+  std::size_t legs() const { return shapes_->poses().size() - 1; }
 
-  plane::Region b_, a_;  // on the fine grid
-  double b_reach_, a_reach_, factor_;
-  double step_;      // of the scene's grid
+  std::shared_ptr<const TurningShapes> shapes_;
   Which which_;      // kGamma1 for a penetration
   bool negated_;     // a penetration: max(0, -gamma1)
   bool keeps_rate_;  // known of a gap: below 0 too, as both shapes are convex, or as none turns or is rounded
-  std::vector<RotatingPose> poses_;
 };
 
 }  // namespace findspace::distance

@@ -151,17 +151,27 @@ std::optional<distance::SceneAnswer> without_witness(std::optional<distance::Sce
   return answer;
 }
 
+/// Not below 0, though the value it follows from may be without a bound below.
+std::optional<distance::SceneAnswer> bounded_by_zero(std::optional<distance::SceneAnswer> v) {
+  if (!v || !v->enclosed) return v;
+  distance::Enclosure& ends = *v->enclosed;
+  if (!ends.lower) ends.lower = Real();
+  if (ends.upper) v->error = (*ends.upper - *ends.lower).to_double();
+  return v;
+}
+
 DistanceAt derived_value(const Distance& wanted, const Derived& from, const DistanceAt& base) {
   std::optional<distance::SceneAnswer> v = without_witness(base.answer);
-  DistanceAt out = distance_at(text(wanted), from.cut ? distance::cut_off(std::move(v), from.negated) : std::move(v));
+  if (from.cut) v = bounded_by_zero(distance::cut_off(std::move(v), from.negated));
+  DistanceAt out = distance_at(text(wanted), std::move(v));
   out.in_degrees = base.in_degrees;
   return out;
 }
 
 /// Over time a value is a search: it is made once for those that follow from each other.
 std::optional<Derived> derived_over_time(const PreparedWorld& world, const Distance& wanted) {
-  const bool searched = world.motion().given() && !world.world().instant && !world.roles(wanted).rotating;
-  return searched ? derived(wanted) : std::nullopt;
+  const bool searched = world.motion().given() && !world.world().instant;
+  return searched && wanted.mode != Mode::kRotation ? derived(wanted) : std::nullopt;
 }
 
 /// In the order of names that all_distances() has.
@@ -258,6 +268,10 @@ std::vector<DistanceAt> measure_at(const PreparedWorld& world, const RealPoint& 
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     if (source[k] == k) continue;
     const Derived d = *derived(wanted[k]);
+    if (!out[source[k]].refused.empty() || (d.other && !out[place(*d.other)].refused.empty())) {
+      out[k] = distance_at(world, wanted[k], p);
+      continue;
+    }
     out[k] = derived_value(wanted[k], d, out[source[k]]);
     if (!d.other) continue;
     const std::optional<distance::SceneAnswer>& other = out[place(*d.other)].answer;

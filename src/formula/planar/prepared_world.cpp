@@ -143,4 +143,11 @@ std::shared_ptr<const distance::AtPosition> PreparedWorld::pair(const ShapeNames
   return slot;
 }
 
+PreparedWorld::Turning PreparedWorld::turning(const ShapeNames& names, const std::function<Turning()>& make) const {
+  const std::lock_guard lock(guard_);
+  Turning& slot = turning_[names];
+  if (!slot) slot = make();
+  return slot;
+}
+
 }  // namespace findspace::formula

@@ -6,6 +6,7 @@
 // safe. Keywords: context, cache, workspace.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -23,7 +24,8 @@
 
 namespace findspace::distance {
 class AtPosition;
-}
+class TurningShapes;
+}  // namespace findspace::distance
 
 namespace findspace::formula {
 
@@ -91,6 +93,9 @@ class PreparedWorld {
   /// Which distance of a pair a formula means, the moving shape being the first of the pair.
   distance::Which which(const Distance& moving_first) const;
   std::shared_ptr<const distance::AtPosition> pair(const ShapeNames& names) const;
+  /// The shapes of a pair at instants of the motion, made when first asked for.
+  using Turning = std::shared_ptr<const distance::TurningShapes>;
+  Turning turning(const ShapeNames& names, const std::function<Turning()>& make) const;
   LeastValues& least_values() const { return least_values_; }
   KeptMaps& kept_maps() const { return kept_maps_; }
 
@@ -107,6 +112,7 @@ class PreparedWorld {
   mutable std::mutex guard_;
   mutable std::map<std::string, Components> boundary_components_;  // of those that have several and were asked for
   mutable std::map<ShapeNames, std::shared_ptr<const distance::AtPosition>> pairs_;
+  mutable std::map<ShapeNames, Turning> turning_;
   mutable LeastValues least_values_;
   mutable KeptMaps kept_maps_;
 };

@@ -57,8 +57,12 @@ distance::RotationInTime rotation_in_time(const PreparedWorld& world, const Role
 RotatingMotion rotation_motion(const PreparedWorld& world, const Roles& r, bool instant) {
   if (r.wanted.mode != Mode::kPlain)
     refuse(r.wanted, "only distances in all directions are computed of shapes that rotate in time");
-  return {world.shape(r.names.first), world.shape(r.names.second), r.which(), rotation_poses(world, r, instant),
-          world.step().to_double()};
+  // Made outside: the world is asked for its shapes.
+  const auto make = [shapes = std::pair(world.shape(r.names.first), world.shape(r.names.second)),
+                     poses = rotation_poses(world, r, instant), step = world.step().to_double()] {
+    return std::make_shared<const distance::TurningShapes>(shapes.first, shapes.second, poses, step);
+  };
+  return {instant ? make() : world.turning(r.names, make), r.which()};
 }
 
 std::optional<ValueRange> rotation_value(const PreparedWorld& world, const Roles& r, const RealPoint& p) {
