@@ -248,7 +248,8 @@ std::optional<ValueRange> RotatingMotion::extremum_apart(const RealPoint& p, con
   if (!apart()) return std::nullopt;
   instants.refine();
   if (!apart()) return std::nullopt;
-  const double found = instants.best().f + instants.rounding();
+  const auto best = plain_instant(p, instants.best().leg, Real::from_double(instants.best().s));
+  const double found = search.least ? best->high : -best->low;
   const double below = std::min(instants.best().f, instants.certain()) - instants.rounding();
   if (!search.least) return ValueRange{-found, -below};
   if (below < 0 && !rated_below_zero()) return ValueRange{std::min(below, least_gap()), found};
