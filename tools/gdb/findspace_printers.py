@@ -12,9 +12,9 @@ formula  Distance, Atom, SignMap, Node and Formula, spelled as formulas are writ
 Nothing of the program is called: the printers read memory, so they work on core files and in optimised builds with
 debug information. tests/tools/gdb_values.cpp says what is printed for what, and a test compares."""
 import functools
+import math
 import os
 import re
-import struct
 import sys
 
 import gdb
@@ -275,17 +275,18 @@ def body_text(value):
 
 def box_complex_text(value):
     axes = [elements(value["at_"]["_M_elems"][k]) for k in range(3)]
-    marks = {}
-    for (mark,) in struct.iter_unpack("b", bytes_of(value["marks_"])):
-        marks[mark] = marks.get(mark, 0) + 1
+    negative, marked = set_bits(value["negative_"]), set_bits(value["in_"])
+    counts = {-1: negative, 0: math.prod(2 * len(axis) + 1 for axis in axes) - marked, 1: marked - negative}
     box = " x ".join(f"[{short(axis[0])}, {short(axis[-1])}]" if axis else "[]" for axis in axes)
-    cells = ", ".join(f"mark {mark}: {n} cells" for mark, n in sorted(marks.items()))
+    cells = ", ".join(f"mark {mark}: {n} cells" for mark, n in counts.items() if n)
     return f"{' x '.join(str(len(axis)) for axis in axes)} coordinates in {box}; {cells}"
 
 
-def bytes_of(vector):
-    count = size(vector)
-    return gdb.selected_inferior().read_memory(int(vector["_M_impl"]["_M_start"]), count).tobytes() if count else b""
+def set_bits(cell_bits):
+    words = cell_bits["bits_"]
+    bytes_ = 8 * size(words)
+    memory = gdb.selected_inferior().read_memory(int(words["_M_impl"]["_M_start"]), bytes_).tobytes() if bytes_ else b""
+    return int.from_bytes(memory, "little").bit_count()
 
 
 # --- formula -----------------------------------------------------------------------------------------------------
