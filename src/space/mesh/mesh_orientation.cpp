@@ -6,11 +6,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "space/mesh/mesh.h"
 #include "space/mesh/mesh_edges.h"
+#include "space/polytope/extent_tree.h"
 
 namespace findspace::space {
 namespace {
@@ -19,9 +22,10 @@ struct Shell {
   std::vector<int> faces;
   bool agreed = true;  // as stated
   bool closed = true;
-  Point low, high;           // its box
-  std::vector<int> about{};  // the shells in which it lies
-  bool placed = true;        // `about` is certain: some vertex is on no other shell
+  Point low, high;            // its box
+  std::vector<int> about{};   // the shells in which it lies
+  std::vector<int> within{};  // those that lie in it
+  bool placed = true;         // `about` is certain: some vertex is on no other shell
 };
 
 void widen(Point& low, Point& high, const Point& p) {
@@ -112,21 +116,26 @@ class Orientation {
   }
 
   void find_nesting() {
-    for (Shell& s : shells_) {
-      for (int k = 0; k < static_cast<int>(shells_.size()); ++k) {
-        const Shell& outer = shells_[k];
-        if (&outer == &s || !box_within(s, outer)) continue;
-        const std::optional<bool> inside = lies_in(s, outer);
+    std::vector<Extent> boxes;
+    for (const Shell& s : shells_) boxes.push_back({vector_of(s.low), vector_of(s.high)});
+    const ExtentTree tree(std::move(boxes));
+    for (int i = 0; i < static_cast<int>(shells_.size()); ++i) {
+      Shell& s = shells_[i];
+      const Extent& box = tree.extent(static_cast<std::size_t>(i));
+      const auto about = [&](const Extent& e) { return e.holds(box.low, 0) && e.holds(box.high, 0); };
+      tree.each(about, [&](std::size_t k) {
+        if (k == static_cast<std::size_t>(i)) return;
+        const std::optional<bool> inside = lies_in(s, shells_[k]);
         s.placed = s.placed && inside;
-        if (inside.value_or(false)) s.about.push_back(k);
-      }
+        if (!inside.value_or(false)) return;
+        s.about.push_back(static_cast<int>(k));
+        shells_[k].within.push_back(i);
+      });
     }
   }
 
-  static bool box_within(const Shell& s, const Shell& outer) {
-    return outer.low.x <= s.low.x && outer.low.y <= s.low.y && outer.low.z <= s.low.z && s.high.x <= outer.high.x &&
-           s.high.y <= outer.high.y && s.high.z <= outer.high.z;
-  }
+  /// Exact, as coordinates of meshes are below 2^40.
+  static Vector vector_of(const Point& p) { return {double(p.x), double(p.y), double(p.z)}; }
 
   /// By the first vertex that is not on the other's surface; nothing where all are. Shells that cross are refused
   /// elsewhere.
@@ -192,20 +201,17 @@ class Orientation {
   }
 
   void turn_all_within(const Shell& outer) {
-    const int k = static_cast<int>(&outer - shells_.data());
-    for (const Shell& s : shells_) {
-      if (std::find(s.about.begin(), s.about.end(), k) != s.about.end()) turn(s);
-    }
+    for (const int k : outer.within) turn(shells_[k]);
   }
 
   [[noreturn]] void refuse(const Shell& s, double step) const {
     const Point& p = mesh_.vertices[mesh_.faces[s.faces[0]][0]];
-    const auto at = [&](std::int64_t c) { return static_cast<double>(c) * step; };
-    throw Error(
-        ErrorCode::kGeometry,
-        fmt::format("a shell of the mesh, at ({:g}, {:g}, {:g}), lies in another of the same sense: reversed it "
-                    "would be a cavity, and as it is it adds nothing",
-                    at(p.x), at(p.y), at(p.z)));
+    const std::string_view why =
+        volume_sign(s) == 0
+            ? "lies in another and encloses no volume: it bounds neither a cavity nor a solid"
+            : "lies in another of the same sense: reversed it would be a cavity, and as it is it adds nothing";
+    throw Error(ErrorCode::kGeometry,
+                fmt::format("a shell of the mesh, at {}, {}", places_text(std::array{p}, step), why));
   }
 
   Mesh& mesh_;
