@@ -69,8 +69,10 @@ ShapePtr rotated_solid(ShapeReader& reader, const JsonValue& object, const Shape
   const GridPosition center = about ? json.position(*about, 3, label.part("about")) : GridPosition{};
   const Orientation orientation = read_orientation(value, object.find("axis"), center, json, label.part("rotate"));
   return json.placed(label, object, [&] {
+    reader.charge_rotated(child);
     plane::Rounding rounding;
     Shape rotated = *space::rotated(child, orientation.rotation, rounding);
+    reader.note_rotated(rotated);
     rotated.name.clear();
     rotated.place = json.place(label, object);
     if (rounding.points > 0) {

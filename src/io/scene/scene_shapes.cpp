@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "io/scene/scene_curves.h"
+#include "space/polytope/solid.h"
 
 namespace findspace::io {
 namespace {
@@ -171,6 +172,24 @@ void ShapeReader::charge_pairs(const Shape& sum) {
   if (dimension() != 3) return;
   const double a = parts_of(*sum.children[0]), b = parts_of(*sum.children[1]);
   charge(kPair * (a * b - std::max(a, b)), "a Minkowski sum or difference of so many parts");
+}
+
+void ShapeReader::charge_rotated(const Shape& shape) {
+  constexpr double kShape = 100, kCorner = 20;
+  const space::Solid* const solid = space::solid_of(shape);
+  if (solid == nullptr) {
+    charge(kShape, "a rotated shape of so many shapes");
+    for (const ShapePtr& child : shape.children) charge_rotated(*child);
+  } else if (!rotated_.insert(shape.solid).second) {
+    double corners = 1 + double(solid->mesh.vertices.size());
+    for (const plane::Contour& contour : solid->contours) corners += 2 * double(contour.size());
+    charge(kCorner * corners, "a rotated shape of so many copied corners");
+  }
+}
+
+void ShapeReader::note_rotated(const Shape& made) {
+  if (made.solid) rotated_.insert(made.solid);
+  for (const ShapePtr& child : made.children) note_rotated(*child);
 }
 
 void ShapeReader::charge(double units, std::string_view what) {

@@ -7,6 +7,8 @@
 #pragma once
 
 #include <map>
+#include <memory>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -59,6 +61,11 @@ class ShapeReader {
   /// In 3D: charges for the pairs of parts of a Minkowski sum or difference, as far as the tree says them. One part
   /// with many costs nothing: that is as much as the many.
   void charge_pairs(const plane::Shape& sum);
+  /// In 3D: charges for the copy that a rotation makes of the tree. Solids that a file or the scene states and that are
+  /// rotated once cost nothing: they have been paid.
+  void charge_rotated(const plane::Shape& shape);
+  /// What the rotation made: to rotate it again is charged.
+  void note_rotated(const plane::Shape& made);
   /// Records that the scene is 2D or 3D; refuses a mixture.
   void use_dimension(int dimension, const Label& label, const JsonValue& at);
 
@@ -85,7 +92,8 @@ class ShapeReader {
   const SceneReader& json_;
   plane::WorkBudget parts_work_;  // for parts of sums and of copies
   std::unordered_map<const plane::Shape*, double> parts_;
-  std::unordered_set<const plane::Shape*> operands_;  // by their names
+  std::unordered_set<const plane::Shape*> operands_;                // by their names
+  std::set<std::weak_ptr<const void>, std::owner_less<>> rotated_;  // solids
   std::vector<std::string> names_;
   std::map<std::string, Entry, std::less<>> entries_;
   std::vector<std::string> trail_;  // names being built, outermost first

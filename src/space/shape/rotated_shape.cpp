@@ -5,6 +5,8 @@
 #include <findspace/error.h>
 
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "space/convolution/ray_solids.h"
 #include "space/mesh/mesh.h"
@@ -20,12 +22,30 @@ class Rotator {
   explicit Rotator(plane::Rounding& rounding) : rounding_(rounding) {}
 
   plane::ShapePtr shape(const plane::Shape& s, const Rotation& r) {
-    plane::Shape out = s;
     if (const Solid* primitive = solid_of(s)) {
+      plane::Shape out = s;
       out.solid = std::make_shared<const Solid>(solid(s, *primitive, r));
       return std::make_shared<const plane::Shape>(std::move(out));
     }
-    if (s.kind == Kind::kTranslate) return translated(s, r);
+    if (const auto known = done_.find({&s, r.by}); known != done_.end()) {
+      rounding_.points += known->second.points;
+      return known->second.shape;
+    }
+    const std::int64_t before = rounding_.points;
+    plane::ShapePtr made = s.kind == Kind::kTranslate ? translated(s, r) : over_children(s, r);
+    done_.emplace(std::pair(&s, r.by), Done{made, rounding_.points - before});
+    return made;
+  }
+
+ private:
+  /// A node of the tree, and the points that were put on the grid below it.
+  struct Done {
+    plane::ShapePtr shape;
+    std::int64_t points;
+  };
+
+  plane::ShapePtr over_children(const plane::Shape& s, const Rotation& r) {
+    plane::Shape out = s;
     Rotation first = r, others = r;
     // Of a sum only one operand moves; -x turns into -(turn x - by).
     if (s.kind == Kind::kMinkowskiSum || s.kind == Kind::kMinkowskiDifference) others.by = RealVector{};
@@ -35,7 +55,6 @@ class Rotator {
     return std::make_shared<const plane::Shape>(std::move(out));
   }
 
- private:
   plane::ShapePtr translated(const plane::Shape& s, Rotation r) {
     const RealVector shift{Real(s.points[0].x), Real(s.points[0].y), Real(s.lift)};
     r.by = plus(r.by, r.linear(shift));
@@ -108,6 +127,7 @@ class Rotator {
   }
 
   plane::Rounding& rounding_;
+  std::map<std::pair<const plane::Shape*, RealVector>, Done> done_;  // by the shift: sums share their operands
 };
 
 }  // namespace
