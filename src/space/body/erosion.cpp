@@ -216,7 +216,7 @@ Body ball(const Real& radius) { return of_part({std::nullopt, {}, radius, {}}); 
 
 /// The first corners of each pair are paid with the pair, which who reads the scene charges.
 void require_few_corners(const plane::Shape& sum, double corners, double pairs) {
-  constexpr double kCorner = 4, kPaidWithPair = 64;
+  constexpr double kCorner = 2, kPaidWithPair = 64;
   const long most = plane::allowed(plane::kUsualWorkBudget);
   if (kCorner * (corners - kPaidWithPair * pairs) <= double(most)) return;
   throw Error(ErrorCode::kLimit,
