@@ -154,7 +154,9 @@ void TextLines::fail(const std::string& message) const { throw Error(ErrorCode::
 long TextLines::integer(std::string_view word) const {
   long value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (error != std::errc{} || end != word.data() + word.size()) fail(fmt::format("'{}' is not a whole number", word));
+  const bool whole = end == word.data() + word.size();
+  if (whole && error == std::errc::result_out_of_range) fail(fmt::format("'{}' is too large", word));
+  if (error != std::errc{} || !whole) fail(fmt::format("'{}' is not a whole number", word));
   return value;
 }
 

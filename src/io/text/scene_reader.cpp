@@ -11,6 +11,7 @@
 #include "exact/number/decimal.h"
 #include "formula/language/lexer.h"
 #include "formula/language/names.h"
+#include "io/text/file_kind.h"
 
 namespace findspace::io {
 
@@ -25,6 +26,15 @@ void add_text(std::string_view text, fmt::memory_buffer& all) { all.append(text.
 void add_number(long number, fmt::memory_buffer& all) {
   const fmt::format_int digits(number);
   add_text({digits.data(), digits.size()}, all);
+}
+
+/// Of such a file a scene was made, whose lines nobody has seen.
+bool is_shape_file(std::string_view name) {
+  const std::size_t dot = name.rfind('.');
+  const std::string_view ending = dot == std::string_view::npos ? std::string_view() : name.substr(dot);
+  if (ending.empty() || ending == ".json") return false;
+  const std::string small = lower_ending(std::string(ending));
+  return is_space_ending(small) || is_plane_ending(small);
 }
 
 }  // namespace
@@ -67,10 +77,12 @@ std::string SceneReader::place(const Label& label, const JsonValue& at) const {
   const bool bare = all.size() == 0;
   if (!bare) add_text(" (", all);
   add_text(file_, all);
-  add_text(":", all);
-  add_number(at.line, all);
-  add_text(":", all);
-  add_number(at.column, all);
+  if (!is_shape_file(file_)) {
+    add_text(":", all);
+    add_number(at.line, all);
+    add_text(":", all);
+    add_number(at.column, all);
+  }
   if (!bare) add_text(")", all);
   return fmt::to_string(all);
 }
