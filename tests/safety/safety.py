@@ -135,6 +135,21 @@ class Reading(SafetyTest):
         self.expect(3, "a face of 6 corners is not flat and crosses itself: it begins (20, 0, 0)", "describe",
                     self.of_file("a.obj"))
 
+    def test_membrane_within_a_solid(self):
+        corners = "v 0 0 0\nv 10 0 0\nv 0 10 0\nv 0 0 10\nv 3 3 0.5\n"
+        self.file("a.obj", corners + "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\nf 1 2 5\nf 2 1 5\n")
+        result = self.expect(3, "lies in another and encloses no volume", "describe", self.of_file("a.obj"))
+        self.assertNotIn("reversed", result.err)
+
+    def test_place_in_a_scene_that_nobody_wrote(self):
+        other = "v 0.1 0.1 -1\nv 0.3 0.1 -1\nv 0.1 0.3 -1\nv 0.2 0.2 0.2\nf 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8\n"
+        self.file("a.obj", TETRAHEDRON + other)
+        self.expect(3, "shape 'a' (a.obj): the mesh crosses itself", "describe", "a.obj")
+
+    def test_count_that_is_too_large(self):
+        self.file("a.ply", "ply\nformat ascii 1.0\nelement vertex 18446744073709551615\nend_header\n")
+        self.expect(3, "'18446744073709551615' is too large", "describe", self.of_file("a.ply"))
+
     def test_what_a_file_is_instead(self):
         for name, content, says in (("a.svg", b"\x1f\x8b\x08rest", "gzip has compressed it"), ("a.dxf", b"AC1032rest", "DWG drawing"),
                                     ("a.svg", b"%PDF-1.7 rest", "PDF file"), ("a.obj", b"<html>rest", "a page of the web"),
@@ -292,6 +307,21 @@ class Costs(SafetyTest):
         self.scene(shapes)
         self.refused("describe", "scene.json", "S10")
 
+    def test_rotated_sums_of_rotated_sums(self):
+        shapes = {"S0": {"polytope": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]}}
+        for i in range(24):
+            below = "S%d" % i
+            shapes["S%d" % (i + 1)] = {"minkowski_sum": [below, {"rotate": 10 + i, "axis": [1, 2, i], "of": below}]}
+        self.scene(shapes)
+        self.refused("describe", "scene.json", "S1")
+
+    def test_rotated_sums_of_one_sum(self):
+        shapes = {"S0": {"polytope": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]}}
+        for i in range(15):
+            shapes["S%d" % (i + 1)] = {"minkowski_sum": ["S%d" % i, "S%d" % i]}
+        self.scene({**shapes, "R": {"rotate": 10, "axis": [1, 2, 3], "of": "S15"}})
+        self.expect(0, "98304 rotated points", "describe", "scene.json", "S1")
+
     def test_sums_of_what_has_arcs(self):
         shape = {"polygon": [[0, 0], [5, 0], [5, 1]]}
         for _ in range(60):
@@ -364,20 +394,38 @@ class Costs(SafetyTest):
                   + "f 1 2 4\nf 2 3 4\nf 3 1 4\nf 1 3 2\n")
         self.expect(3, "199999 faces stand twice", "describe", self.of_file("rep.obj"))
 
-    def model(self, name, mesh, more, built):
+    def model(self, name, mesh, more, built, transforms=("1 0 0 0 1 0 0 0 1 0 0 0",)):
         """`mesh` comes in pieces, so that this process stays small: a child begins with its size."""
+        items = "".join('<item objectid="%d" transform="%s"/>' % (built, t) for t in transforms)
         with zipfile.ZipFile(self.folder / name, "w", zipfile.ZIP_DEFLATED) as package:
             with package.open("3D/3dmodel.model", "w", force_zip64=True) as text:
                 text.write(b'<model unit="millimeter"><resources><object id="1"><mesh>')
                 for piece in mesh:
                     text.write(piece.encode())
-                text.write(('</mesh></object>%s</resources><build><item objectid="%d"/></build></model>' %
-                            (more, built)).encode())
+                text.write(('</mesh></object>%s</resources><build>%s</build></model>' % (more, items)).encode())
 
     def test_package_that_unpacks_to_much(self):
         self.model("a.3mf", (" " * 1_000_000 for _ in range(900)), "", 1)
         result = self.expect(4, "--input-limit raises", "describe", self.of_file("a.3mf"))
         self.assertLess(result.kilobytes, 200_000)
+
+    TETRAHEDRON_OF_MODEL = (
+        '<vertices>' + "".join('<vertex x="%d" y="%d" z="%d"/>' % p for p in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))),
+        '</vertices><triangles>' + "".join('<triangle v1="%d" v2="%d" v3="%d"/>' % f for f in
+                                           ((0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3))) + '</triangles>')
+
+    def test_package_of_many_vertices(self):
+        begin, end = self.TETRAHEDRON_OF_MODEL
+        many = '<vertex x="0" y="0" z="0"/>' * 70_000
+        self.model("a.3mf", (begin, *(many for _ in range(100)), end), "", 1)
+        result = self.expect(0, "7000000 vertices belong to no face", "describe", self.of_file("a.3mf"))
+        self.assertLess(result.kilobytes, 900_000)
+
+    def test_many_items(self):
+        places = (("1 0 0 0 1 0 0 0 1 %d %d %d" % (2 * x, 2 * y, 2 * z)) for x in range(58) for y in range(58)
+                  for z in range(58))
+        self.model("a.3mf", self.TETRAHEDRON_OF_MODEL, "", 1, list(places))
+        self.expect(0, "", "describe", self.of_file("a.3mf"))
 
     def test_one_mesh_placed_often(self):
         n = 1000  # a roof over a strip of n squares
