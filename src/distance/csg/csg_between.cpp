@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "distance/csg/csg_cells.h"
+#include "distance/csg/csg_lines.h"
 #include "distance/csg/csg_part.h"
-#include "distance/rays/line_signs.h"
+#include "distance/csg/csg_work.h"
 #include "distance/rays/ray_directional_least.h"
-#include "exact/margins/space_distance.h"
+#include "distance/search/least_in_box.h"
 #include "plane/base/lazy.h"
-#include "plane/base/search_work.h"
 
 namespace findspace::distance {
 
@@ -23,8 +23,6 @@ using space::Body;
 using space::BodyPart;
 using space::CsgSolid;
 using space::RealVector;
-
-namespace {
 
 /// Of a body in the place of the solid.
 struct BodyInPlace {
@@ -37,6 +35,8 @@ struct BodiesInPlace {
   std::vector<BodyInPlace> inside, about;
   bool moves = true;  // the solid
 };
+
+namespace {
 
 BodiesInPlace made_bodies_in_place(const ReplacedSolid& replaced, const BodiesOfCells& cells) {
   BodiesInPlace out;
@@ -111,15 +111,18 @@ std::optional<Which> nearest_of_places(Which which, bool on_line) {
 struct DistancesBetween::Source {
   std::vector<ReplacedSolid> solids;  // two at most
   Real size;
-  plane::Lazy<std::vector<BodiesOfCells>> cells{};
-  std::array<plane::Lazy<BodiesInPlace>, 2> bodies{};
+  // Of coarse cells, and of fine ones.
+  std::array<plane::Lazy<std::vector<BodiesOfCells>>, 2> cells{};
+  std::array<plane::Lazy<BodiesInPlace>, 4> bodies{};
 
   /// Of a fit it is, where it can be, the solid that shall lie in the other: how a solid fits into some hundred cells
   /// would take many seconds.
-  const BodiesInPlace& of(Which which) const {
-    const std::vector<BodiesOfCells>& made = cells.of([&] {
+  const BodiesInPlace& of(Which which, Cells size_of_cells = Cells::kFine) const {
+    const plane::ScopedSearchWork of_no_question(nullptr);  // kept: not of the one that comes first
+    const std::size_t fine = size_of_cells == Cells::kFine ? 1 : 0;
+    const std::vector<BodiesOfCells>& made = cells[fine].of([&] {
       std::vector<BodiesOfCells> all;
-      for (const ReplacedSolid& one : solids) all.push_back(bodies_of_cells(*one.solid));
+      for (const ReplacedSolid& one : solids) all.push_back(bodies_of_cells(*one.solid, cells_across(size_of_cells)));
       return all;
     });
     std::size_t k = 0;
@@ -127,7 +130,7 @@ struct DistancesBetween::Source {
       const bool moving = which == Which::kEta1 || which == Which::kEta2;
       k = (is_fit(which) ? solids[1].moves == moving : made[0].filled < made[1].filled) ? 1 : 0;
     }
-    return bodies[k].of([&] { return made_bodies_in_place(solids[k], made[k]); });
+    return bodies[2 * fine + k].of([&] { return made_bodies_in_place(solids[k], made[k]); });
   }
 
   /// Of B in A: the bodies of which the distance is no more, and those of which it is no less; less those that would
@@ -143,8 +146,8 @@ struct DistancesBetween::Source {
       return soon || convex_least.empty() ? least : convex_least;
     }
   };
-  Bounding bounding(Which which) const {
-    const BodiesInPlace& all = of(which);
+  Bounding bounding(Which which, Cells size_of_cells = Cells::kFine) const {
+    const BodiesInPlace& all = of(which, size_of_cells);
     const bool grows = grows_with_moving(all.moves ? which : exchanged(which));
     const bool moving = which == Which::kEta1 || which == Which::kEta2;
     const auto taken = [](const std::vector<BodyInPlace>& some, bool cells) {
@@ -160,9 +163,15 @@ struct DistancesBetween::Source {
   }
 
   /// Of B moved by p in A.
-  TriedAnswer value(Which which, const RealVector& p) const;
+  TriedAnswer value(Which which, const RealVector& p, Cells size_of_cells) const {
+    return in_share(kMostCellsOfValue, [&] { return value_in_share(which, p, size_of_cells); });
+  }
+  PairDistances pair(Cells size_of_cells) const;
+  /// Of two solids: where their boxes meet.
+  space::Bounds3 meeting() const { return space::meeting(bounds(*solids[0].solid), bounds(*solids[1].solid)); }
 
  private:
+  TriedAnswer value_in_share(Which which, const RealVector& p, Cells size_of_cells) const;
   exact::Tried<KnownEnd> end(const std::vector<const BesideBody*>& bodies, Which which, const RealVector& p, bool moves,
                              bool upper) const;
 };
@@ -174,8 +183,9 @@ exact::Tried<KnownEnd> DistancesBetween::Source::end(const std::vector<const Bes
   std::optional<exact::Refusal> refused;
   bool told = false;
   for (const BesideBody* body : bodies) {
-    const TriedAnswer v =
-        moves ? body->pair.try_value(which, p) : body->pair.try_value(exchanged(which), space::negated(p));
+    const TriedAnswer v = in_share(kMostCellsOfBody, [&] {
+      return moves ? body->pair.try_value(which, p) : body->pair.try_value(exchanged(which), space::negated(p));
+    });
     if (!v) {
       refused = v.refusal();
       continue;
@@ -197,9 +207,9 @@ exact::Tried<KnownEnd> DistancesBetween::Source::end(const std::vector<const Bes
   return out;
 }
 
-TriedAnswer DistancesBetween::Source::value(Which which, const RealVector& p) const {
-  const Bounding bodies = bounding(which);
-  const bool moves = of(which).moves;
+TriedAnswer DistancesBetween::Source::value_in_share(Which which, const RealVector& p, Cells size_of_cells) const {
+  const Bounding bodies = bounding(which, size_of_cells);
+  const bool moves = of(which, size_of_cells).moves;
   const exact::Tried<KnownEnd> least = end(bodies.least, which, p, moves, false);
   const exact::Tried<KnownEnd> most = end(bodies.most, which, p, moves, true);
   if (!least && !most) return least.refusal();
@@ -231,16 +241,20 @@ class DistancesBetween::Rays : public space::RaySource {
       exact::Tried<space::RaySourcePointer> rays = body->map(which, level, way, grid_);
       if (rays) {
         maps_.push_back(*std::move(rays));
-        told_.push_back(told);
+        of_.push_back({told, body});
       } else {
         refused_ = rays.refusal();
       }
     }
   }
+  /// Tells rows that the maps do not.
+  void else_by(space::RaySourcePointer other) { other_ = std::move(other); }
   /// Of places of which there may be none.
   void may_be_none() { there_ = false; }
   /// Why, if no body has a map.
-  std::optional<exact::Refusal> refusal() const { return maps_.empty() ? std::optional(refused_) : std::nullopt; }
+  std::optional<exact::Refusal> refusal() const {
+    return maps_.empty() && !other_ ? std::optional(refused_) : std::nullopt;
+  }
 
   const space::RayGrid& grid() const override { return grid_; }
   bool searched() const override { return true; }
@@ -252,21 +266,30 @@ class DistancesBetween::Rays : public space::RaySource {
   std::shared_ptr<const Source> source_;  // that the maps belong to
   space::RayGrid grid_;
   std::vector<space::RaySourcePointer> maps_;
-  std::vector<Told> told_;
+  struct Of {
+    Told told;
+    const BesideBody* body;
+  };
+  std::vector<Of> of_;
+  space::RaySourcePointer other_;
   bool there_ = true;
   exact::Refusal refused_ = not_found_in_part();
 };
 
 std::int8_t DistancesBetween::Rays::sign(std::span<const std::int8_t> signs) const {
-  const auto any = [&](Told told, int sign) {
+  const auto any = [&](Told told, int sign, const BesideBody* body = nullptr) {
     for (std::size_t k = 0; k < signs.size(); ++k) {
-      if (told_[k] == told && signs[k] == sign) return true;
+      if (of_[k].told == told && signs[k] == sign && (body == nullptr || of_[k].body == body)) return true;
     }
     return false;
   };
   if (any(Told::kNearest, 1)) return 1;
   if (!there_ && !any(Told::kThere, -1)) return 0;
-  if (any(Told::kLeast, 1)) return 1;
+  for (std::size_t k = 0; k < signs.size(); ++k) {
+    // A body of which there is no place says nothing, whatever another one says.
+    const bool told = of_[k].told == Told::kLeast && signs[k] == 1;
+    if (told && (there_ || any(Told::kThere, -1, of_[k].body))) return 1;
+  }
   return any(Told::kMost, -1) ? -1 : 0;
 }
 
@@ -276,101 +299,28 @@ exact::Tried<space::RayRow> DistancesBetween::Rays::try_row(int j) const {
   std::vector<space::RayRow> rows;
   exact::Refusal refused = refused_;
   for (const space::RaySourcePointer& map : maps_) {
-    exact::Tried<space::RayRow> row = map->try_row(j);
+    const long share = share_of_line(grid_) * grid_.nu / static_cast<long>(maps_.size());
+    exact::Tried<space::RayRow> row = in_share(share, [&] { return map->try_row(j); });
     if (!row) refused = row.refusal();
     rows.push_back(row ? *std::move(row)
                        : space::RayRow{std::vector<std::int8_t>(lines, 0), std::vector<int>(lines + 1, 0), {}});
   }
-  if (rows.empty()) return refused;
-  space::RayRow out = space::combined(rows, [&](std::span<const std::int8_t> signs) { return sign(signs); });
-  // Far away the sign is known unless too little is.
-  if (std::any_of(out.before.begin(), out.before.end(), [](std::int8_t s) { return s == 0; })) return refused;
+  const auto untold = [&](const space::RayRow& row) {
+    // Far away the sign is known unless too little is.
+    return std::any_of(row.before.begin(), row.before.end(), [](std::int8_t s) { return s == 0; });
+  };
+  space::RayRow out;
+  if (!rows.empty()) out = space::combined(rows, [&](std::span<const std::int8_t> signs) { return sign(signs); });
+  if (rows.empty() || untold(out)) return other_ ? other_->try_row(j) : exact::Tried<space::RayRow>(refused);
   return out;
 }
 
 namespace {
 
-/// Of a part of a line that is not decided, in widths of the ends there: it is left so.
-constexpr double kShareOfEnds = 0.25;
-constexpr int kMostPlaces = 200;  // of a line
-
 /// How one protrudes from the other, or fits into it.
 bool takes_long(Which which) {
   return which == Which::kMu || which == Which::kMuBack || which == Which::kHausdorff || which == Which::kEta1 ||
          which == Which::kDelta1;
-}
-
-/// Signs of what takes long on lines, by values between ends: no step changes a distance by more than its length, so
-/// one at a place tells the sign about it.
-class RaysByEnds : public space::RaySource {
- public:
-  using Value = std::function<TriedAnswer(const RealVector&)>;
-  /// Farther than `size` from the middle the distance is more than the level; in steps of the scale.
-  RaysByEnds(Value value, const Real& level, const space::Vector& middle, double size, std::int64_t scale,
-             const space::RayGrid& grid)
-      : value_(std::move(value)),
-        level_(level),
-        middle_(middle),
-        size_(size),
-        unit_(static_cast<double>(scale) / static_cast<double>(grid.parts)),
-        grid_(grid) {}
-
-  const space::RayGrid& grid() const override { return grid_; }
-  bool searched() const override { return true; }
-  exact::Tried<space::RayRow> try_row(int j) const override;
-
- private:
-  struct Walk {
-    PositionLine line;
-    std::vector<SignStretch> known{};
-    int places = 0;
-    std::optional<exact::Refusal> refused{};
-  };
-  void look(Walk& walk, double from, double to) const;
-
-  Value value_;
-  Real level_;
-  space::Vector middle_;
-  double size_, unit_;
-  space::RayGrid grid_;
-};
-
-/// What is known comes by growing place.
-void RaysByEnds::look(Walk& walk, double from, double to) const {
-  const double middle = (from + to) / 2;
-  if (walk.refused || !(from < middle && middle < to)) return;
-  const TriedAnswer v = value_(space::along(walk.line.start, Real::from_double(middle), walk.line.unit));
-  if (!v) {
-    walk.refused = v.refusal();
-    return;
-  }
-  const Enclosure ends = *v ? (*v)->bounds() : Enclosure{level_ + Real::from_double(4 * size_), std::nullopt};
-  const double low = ends.lower ? (*ends.lower - level_).to_double() : -exact::kInfinity,
-               high = ends.upper ? (*ends.upper - level_).to_double() : exact::kInfinity;
-  const double reach = std::max(low, -high) - size_ * margin::kPlaceNoise;
-  const double least = std::max(size_ * margin::kRayCertain, std::min(high - low, size_) * kShareOfEnds);
-  if (++walk.places > kMostPlaces || (reach <= 0 && to - from <= least)) {
-    walk.known.push_back({from, to, 0});
-    return;
-  }
-  const double first = reach > 0 ? std::max(from, middle - reach) : middle,
-               last = reach > 0 ? std::min(to, middle + reach) : middle;
-  if (from < first) look(walk, from, first);
-  if (first < last) walk.known.push_back({first, last, low > 0 ? 1 : -1});
-  if (last < to) look(walk, last, to);
-}
-
-exact::Tried<space::RayRow> RaysByEnds::try_row(int j) const {
-  space::RayRow out;
-  for (int i = 0; i < grid_.nu; ++i) {
-    const plane::SearchQuestion line_is_one;
-    Walk walk{position_line(grid_, unit_, i, j)};
-    const double place = space::dot(middle_ - space::rounded(walk.line.start), space::rounded(walk.line.unit));
-    look(walk, place - 2 * size_, place + 2 * size_);
-    if (walk.refused) return *walk.refused;
-    put_line(walk.known, unit_, out);
-  }
-  return out;
 }
 
 }  // namespace
@@ -382,8 +332,14 @@ DistancesBetween::DistancesBetween(std::vector<ReplacedSolid> solids, Real size)
   source_ = std::move(source);
 }
 
+PairDistances DistancesBetween::Source::pair(Cells size_of_cells) const {
+  return pair_by_values(
+      [this, size_of_cells](Which which, const RealVector& p) { return value(which, p, size_of_cells); });
+}
+
 PairDistances DistancesBetween::pair() const {
-  return pair_by_values([source = source_](Which which, const RealVector& p) { return source->value(which, p); });
+  return pair_by_values(
+      [source = source_](Which which, const RealVector& p) { return source->value(which, p, Cells::kFine); });
 }
 
 exact::Tried<space::RaySourcePointer> DistancesBetween::map(Which which, const Real& level,
@@ -395,18 +351,21 @@ exact::Tried<space::RaySourcePointer> DistancesBetween::map(Which which, const R
     if (!base) return base;
     return space::cut_off_rays(*std::move(base), cut->negated, level);
   }
-  const std::vector<ReplacedSolid>& solids = source_->solids;
-  if (takes_long(which) && !way && solids.size() > 1) {
-    const CsgSolid &b = *solids[0].solid, &a = *solids[1].solid;
-    const space::Vector middle = space::rounded(space::meeting(bounds(b), bounds(a))).middle();
-    const double size = source_->size.to_double() + std::fabs(level.to_double()) + 1;
-    const auto value = [pair = this->pair(), which](const RealVector& p) { return pair.try_value(which, p); };
-    return space::RaySourcePointer(std::make_unique<RaysByEnds>(value, level, middle, size, b.scale, grid));
+  space::RaySourcePointer by_ends;
+  if (source_->solids.size() > 1 && !way) {
+    const auto value = [source = source_, which](const RealVector& p, Cells cells) {
+      return source->pair(cells).try_value(which, p);
+    };
+    by_ends = rays_by_ends(value, level, space::rounded(source_->meeting()), source_->solids[0].solid->scale, grid);
+    if (takes_long(which)) return by_ends;
   }
+  // It neither grows nor falls with a solid.
+  if (which == Which::kHausdorff) return not_found_in_part();
   const Source::Bounding bodies = source_->bounding(which);
   const auto nearest = nearest_of_places(which, way.has_value());
   if (nearest && level.sign() < 0) return space::constant_rays(grid, 1);
   auto rays = std::make_unique<Rays>(source_, grid);
+  rays->else_by(std::move(by_ends));
   if (nearest) {
     // The places of the larger set hold those of the smaller one.
     rays->may_be_none();
@@ -436,7 +395,7 @@ struct LeastOfBodies {
 template <class Ask>
 void add_least(LeastOfBodies& out, const std::vector<const BesideBody*>& bodies, bool upper, const Ask& ask) {
   for (const BesideBody* body : bodies) {
-    const TriedAnswer v = ask(*body);
+    const TriedAnswer v = in_share(kMostCellsOfBody, [&] { return ask(*body); });
     if (!v) {
       out.refused = v.refusal();
       continue;
@@ -465,10 +424,34 @@ std::optional<Answer> best_of_places(const PairDistances& pair, Which which, con
   return best;
 }
 
+/// Of two solids, by values between ends.
+TriedAnswer least_between(const PairDistances& pair, Which which, const space::Bounds3& box, const Real& size,
+                          const std::optional<Real>& floor) {
+  const auto value = [&](const RealVector& p) -> exact::Tried<Answer> {
+    const TriedAnswer v = pair.try_value(which, p);
+    if (!v) return v.refusal();
+    Enclosure ends = *v ? (*v)->bounds() : Enclosure{size, std::nullopt};
+    if (!ends.lower) ends.lower = -size;  // no way out of the boxes is longer
+    Answer out;
+    out.set_unproven();
+    out.value = ends.upper ? *ends.upper : *ends.lower;
+    out.error = ends.upper ? ends.width() : exact::kInfinity;
+    out.enclosed = std::move(ends);
+    return out;
+  };
+  const exact::Tried<Answer> least = least_in_box(value, space::rounded(box.low), space::rounded(box.high),
+                                                  floor ? floor->to_double() : -exact::kInfinity, kMostPlacesOfLeast);
+  if (!least) return least.refusal();
+  if (!(least->error < exact::kInfinity) || !least->bounds().upper) return may_not_fit();
+  return std::optional(*least);
+}
+
 }  // namespace
 
 TriedAnswer DistancesBetween::least(Which which) const {
-  LeastOfBodies least, most;
+  plane::SearchWork work{plane::allowed(kMostCellsBetween)};  // kept: not of the question that comes first
+  const plane::ScopedSearchWork here(&work);
+  LeastOfBodies least;
   const std::vector<Which> of =
       which == Which::kHausdorff ? std::vector{Which::kMu, Which::kMuBack} : std::vector{which};
   const auto ask = [](Which one) { return [one](const BesideBody& body) { return body.least(one); }; };
@@ -476,17 +459,14 @@ TriedAnswer DistancesBetween::least(Which which) const {
   const bool farthest = nearest_of_places(which, false).has_value();
   if (!farthest && least.undefined) return std::nullopt;
   if (farthest && least.found.empty()) return may_not_fit();
-  if (!least.lower && !farthest) return least.refused.value_or(not_found_in_part());
-  std::optional<Answer> best = best_of_places(pair(), which, least);
-  if (!best || farthest) {
-    for (const Which one : of) add_least(most, source_->bounding(one).most, true, ask(one));
-    if (farthest && most.undefined) return std::nullopt;
-    const std::optional<Answer> other = best_of_places(pair(), which, most);
-    if (other && (!best || other->value < best->value)) best = other;
+  const PairDistances pair = source_->pair(Cells::kCoarse);
+  std::optional<Answer> best = best_of_places(pair, which, least);
+  if (best && (least.lower || farthest)) {
+    const Real lower = least.lower.value_or(Real());
+    return std::optional(least_answer(best->value, lower, lower == best->value, best->at, Way::kCut));
   }
-  if (!best) return most.undefined ? may_not_fit() : most.refused.value_or(not_found_in_part());
-  const Real lower = least.lower.value_or(Real());
-  return std::optional(least_answer(best->value, lower, lower == best->value, best->at, Way::kCut));
+  if (source_->solids.size() < 2) return least.refused.value_or(not_found_in_part());
+  return least_between(pair, which, source_->meeting(), source_->size, least.lower);
 }
 
 TriedAnswer DistancesBetween::least_along(Which which, const AlongWay& way) const {

@@ -7,6 +7,7 @@
 // value lies between the ends, exactly; they are mostly as far apart as a cell is long, an eighth of the solid, farther
 // where the other one has passages as narrow. An end that no body tells is left out; so is one of how something fits
 // into the only solid that can be replaced, if cells alone would tell it. Signs are 0 where the ends do not tell them.
+// Work is limited (csg_work.h): what is not found then is left between wider ends.
 // Cost: two to four answers of the pairs of bodies. Keywords: inner and outer approximation, octree, monotonicity.
 #pragma once
 

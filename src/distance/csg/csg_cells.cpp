@@ -24,25 +24,23 @@ using space::RealVector;
 
 namespace {
 
-/// Of cells along each axis.
-constexpr int kCellsAcross = 8;
-
 enum class CellSide { kIn, kOut, kUnsure };
 
 /// The cells of a lattice over the box about a solid: which lie in it, which beside it.
 class SolidCells {
  public:
-  explicit SolidCells(const CsgSolid& solid) {
+  SolidCells(const CsgSolid& solid, std::size_t across) {
+    const auto cells = static_cast<std::int64_t>(across);
     const space::Bounds3 box = bounds(solid);
     for (std::size_t k = 0; k < 3; ++k) {
       const auto low = static_cast<std::int64_t>(floor(box.low[k]));
       const auto length = static_cast<std::int64_t>(-floor(-box.high[k])) - low;
-      const std::int64_t step = std::max<std::int64_t>((length + kCellsAcross - 1) / kCellsAcross, 1);
-      for (std::size_t i = 0; i <= kCellsAcross; ++i) at_[k][i] = low + static_cast<std::int64_t>(i) * step;
+      const std::int64_t step = std::max<std::int64_t>((length + cells - 1) / cells, 1);
+      for (std::int64_t i = 0; i <= cells; ++i) at_[k].push_back(low + i * step);
     }
     std::vector<const CsgPart*> parts;
     for (const CsgPart& part : solid.parts) parts.push_back(&part);
-    divide({}, kCellsAcross, parts);
+    divide({}, across, parts);
   }
 
   /// No body where there are none.
@@ -137,7 +135,7 @@ class SolidCells {
     return space::body_of(space::BoxComplex::of_boxes(cells).simplified());
   }
 
-  std::array<std::array<std::int64_t, kCellsAcross + 1>, 3> at_{};
+  std::array<std::vector<std::int64_t>, 3> at_;
   std::vector<space::IntervalBox> inside_, about_;
 };
 
@@ -154,8 +152,8 @@ std::optional<Body> place_inside(const CsgSolid& solid) {
 
 }  // namespace
 
-BodiesOfCells bodies_of_cells(const CsgSolid& solid) {
-  const SolidCells cells(solid);
+BodiesOfCells bodies_of_cells(const CsgSolid& solid, std::size_t across) {
+  const SolidCells cells(solid, across);
   BodiesOfCells out{cells.inside(), cells.about(), cells.filled()};
   if (!out.inside) out.inside = place_inside(solid);
   return out;

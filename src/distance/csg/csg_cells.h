@@ -6,6 +6,7 @@
 // Keywords: inner and outer approximation, octree.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "space/body/body.h"
@@ -18,6 +19,7 @@ struct BodiesOfCells {
   std::optional<space::Body> inside, about;
   double filled = 0;  // how much of what holds it lies in it
 };
-BodiesOfCells bodies_of_cells(const space::CsgSolid& solid);
+/// `across`: a power of two, of cells along each axis.
+BodiesOfCells bodies_of_cells(const space::CsgSolid& solid, std::size_t across);
 
 }  // namespace findspace::distance

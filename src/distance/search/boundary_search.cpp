@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "distance/search/boundary_columns.h"
+#include "distance/search/strict_work.h"
 #include "distance/search/tetrahedral_max_min.h"
 #include "exact/margins/space_distance.h"
 #include "exact/number/interval.h"
@@ -59,7 +60,8 @@ class BoundarySearch {
     until_ = until;
     const long least_left = until ? plane::cells_left() - until->cells : 0;
     const auto spent = [&] {
-      return (constraints_.more && constraints_.more->spent()) || (until && plane::cells_left() <= least_left);
+      return (constraints_.more && constraints_.more->spent()) || (until && plane::cells_left() <= least_left) ||
+             strictly_spent();
     };
     if (constraints_.more || nearer_ > margin::kNearerAtAll) ask();
     for (const Tetrahedron& t : domain) add(t, all, floor, 0);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "distance/search/strict_work.h"
 #include "exact/margins/space_distance.h"
 #include "plane/base/search_work.h"
 #include "plane/base/subdivide.h"
@@ -102,7 +103,8 @@ bool TetrahedralMaxMin::dropped(double bound) {
 SolidMaxMin TetrahedralMaxMin::run(long most) {
   bool spent = false;
   const auto end = queue_.run(
-      most, [&](const MaxMinCell& top) { return !best_.worth(top.bound) || (spent = target_.spent()); },
+      most,
+      [&](const MaxMinCell& top) { return !best_.worth(top.bound) || (spent = target_.spent() || strictly_spent()); },
       [this](const MaxMinCell& top) { split(top); });
   SolidMaxMin out = best_.found();
   out.complete = !spent && end != plane::SubdivisionEnd::kSpent;
