@@ -163,28 +163,34 @@ struct DistancesBetween::Source {
   }
 
   /// Of B moved by p in A.
-  TriedAnswer value(Which which, const RealVector& p, Cells size_of_cells) const {
-    return in_share(kMostCellsOfValue, [&] { return value_in_share(which, p, size_of_cells); });
+  TriedAnswer value(Which which, const RealVector& p, Cells size_of_cells, long share = kMostCellsOfValue) const {
+    return in_share(share, [&] { return value_in_share(which, p, size_of_cells, share / 4); });
   }
   PairDistances pair(Cells size_of_cells) const;
   /// Of two solids: where their boxes meet.
   space::Bounds3 meeting() const { return space::meeting(bounds(*solids[0].solid), bounds(*solids[1].solid)); }
 
  private:
-  TriedAnswer value_in_share(Which which, const RealVector& p, Cells size_of_cells) const;
-  exact::Tried<KnownEnd> end(const std::vector<const BesideBody*>& bodies, Which which, const RealVector& p, bool moves,
-                             bool upper) const;
+  TriedAnswer value_in_share(Which which, const RealVector& p, Cells size_of_cells, long of_body) const;
+  struct AskedEnd {
+    Which which;
+    const RealVector& p;
+    bool moves, upper;
+    long share;  // of each body
+  };
+  exact::Tried<KnownEnd> end(const std::vector<const BesideBody*>& bodies, const AskedEnd& asked) const;
 };
 
 /// The best of what the pairs tell.
-exact::Tried<KnownEnd> DistancesBetween::Source::end(const std::vector<const BesideBody*>& bodies, Which which,
-                                                     const RealVector& p, bool moves, bool upper) const {
+exact::Tried<KnownEnd> DistancesBetween::Source::end(const std::vector<const BesideBody*>& bodies,
+                                                     const AskedEnd& asked) const {
   KnownEnd out;
   std::optional<exact::Refusal> refused;
   bool told = false;
   for (const BesideBody* body : bodies) {
-    const TriedAnswer v = in_share(kMostCellsOfBody, [&] {
-      return moves ? body->pair.try_value(which, p) : body->pair.try_value(exchanged(which), space::negated(p));
+    const TriedAnswer v = in_share(asked.share, [&] {
+      return asked.moves ? body->pair.try_value(asked.which, asked.p)
+                         : body->pair.try_value(exchanged(asked.which), space::negated(asked.p));
     });
     if (!v) {
       refused = v.refusal();
@@ -200,18 +206,19 @@ exact::Tried<KnownEnd> DistancesBetween::Source::end(const std::vector<const Bes
       continue;
     }
     const Enclosure ends = (*v)->bounds();
-    const std::optional<Real>& one = upper ? ends.upper : ends.lower;
-    if (one && (!out.at || (upper ? *one < *out.at : *out.at < *one))) out.at = one;
+    const std::optional<Real>& one = asked.upper ? ends.upper : ends.lower;
+    if (one && (!out.at || (asked.upper ? *one < *out.at : *out.at < *one))) out.at = one;
   }
   if (refused && !told) return *refused;
   return out;
 }
 
-TriedAnswer DistancesBetween::Source::value_in_share(Which which, const RealVector& p, Cells size_of_cells) const {
+TriedAnswer DistancesBetween::Source::value_in_share(Which which, const RealVector& p, Cells size_of_cells,
+                                                     long of_body) const {
   const Bounding bodies = bounding(which, size_of_cells);
   const bool moves = of(which, size_of_cells).moves;
-  const exact::Tried<KnownEnd> least = end(bodies.least, which, p, moves, false);
-  const exact::Tried<KnownEnd> most = end(bodies.most, which, p, moves, true);
+  const exact::Tried<KnownEnd> least = end(bodies.least, {which, p, moves, false, of_body});
+  const exact::Tried<KnownEnd> most = end(bodies.most, {which, p, moves, true, of_body});
   if (!least && !most) return least.refusal();
   if (most && most->lowest) return std::optional(lowest_answer<RealVector>(Way::kCut));
   Enclosure ends;
@@ -338,8 +345,9 @@ PairDistances DistancesBetween::Source::pair(Cells size_of_cells) const {
 }
 
 PairDistances DistancesBetween::pair() const {
-  return pair_by_values(
-      [source = source_](Which which, const RealVector& p) { return source->value(which, p, Cells::kFine); });
+  return pair_by_values([source = source_](Which which, const RealVector& p) {
+    return source->value(which, p, Cells::kFine, kMostCellsOfOneValue);
+  });
 }
 
 exact::Tried<space::RaySourcePointer> DistancesBetween::map(Which which, const Real& level,

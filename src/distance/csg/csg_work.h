@@ -17,6 +17,8 @@ namespace findspace::distance {
 /// What may be looked at for a least value, or the lines of a map together: some seconds.
 inline constexpr long kMostCellsBetween = plane::kMostCellsOfQuestion / 20;
 inline constexpr long kMostCellsOfValue = kMostCellsBetween / 4, kMostCellsOfBody = kMostCellsOfValue / 4;
+/// Of a value that is asked for alone.
+inline constexpr long kMostCellsOfOneValue = 2 * kMostCellsBetween;
 inline constexpr long kLeastCellsOfLine = kMostCellsBetween / 16;
 
 /// What is asked ends when it has taken so many cells of those that are left to the question.
