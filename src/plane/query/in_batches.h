@@ -25,8 +25,9 @@ inline bool is_worth_batches(const CellComplex& set, const BatchSizes& sizes = {
   return set.edges.size() >= sizes.least;
 }
 
-/// The union of `make(part)` over the parts of the set. `reach`: how far a result may stand out of its part's box on
-/// each side (x0 and y0 downwards). Nothing where the set is small, of one part or not bounded, or is observed.
+/// `make` of the whole set, of which parts that lie apart are made by themselves. Each part has the set's unbounded
+/// face; so has each result one mark there. `reach`: how far a result may stand out of its part's box on each side (x0
+/// and y0 downwards). Nothing where the set is small or of one part, or is observed.
 std::optional<CellComplex> made_in_batches(const CellComplex& set, const PieceBox& reach,
                                            const std::function<CellComplex(const CellComplex&)>& make,
                                            const BatchSizes& sizes = {});
