@@ -58,14 +58,17 @@ double reach(const FeatureTree& set) {
   return most * margin::kUpward + margin::kUpwardSteps;
 }
 
-/// In rounds: joined boxes may meet others. Whatever the order, the same boxes are left.
+/// In rounds: joined boxes may meet others, and of a heap not all pairs are seen at once. Whatever the order, the same
+/// boxes are left.
 std::vector<PieceBox> boxes_apart(std::vector<PieceBox> boxes) {
   for (bool joined = true; joined;) {
     joined = false;
     plane::UnionFind same(boxes.size());
+    std::size_t pairs = 16 * boxes.size();
     plane::meeting_boxes(boxes, [&](plane::Index i, plane::Index k) {
       same.unite(i, k);
-      return joined = true;
+      joined = true;
+      return --pairs > 0;
     });
     if (!joined) break;
     std::vector<PieceBox> apart;
