@@ -20,7 +20,8 @@ constexpr int kMostLooks = 400;
 constexpr std::size_t kMostBalls = 300;
 
 /// Faces of a mesh whose middles are places: in a finer one the corners are as near to one another, and among five
-/// times as many the deepest one is not found within so many looks.
+/// times as many the deepest one is not found within so many looks. Of two that are not finer the planes of a box are
+/// told sooner than how near it overlaps.
 constexpr std::size_t kMostMiddles = 50000;
 
 /// Of half a box: places so deep are asked how far they overlap, the deepest first.
@@ -102,6 +103,7 @@ SurfaceDepths::SurfaceDepths(const space::SurfaceSet& b, const space::SurfaceSet
   for (Tree& tree : trees_) {
     // Of the complement of A balls are not looked for.
     tree.places = places_of(tree.back ? a : b, !tree.back || side == space::TouchSide::kOutside);
+    fine_ = fine_ || (tree.back ? a : b).sheets()[0]->body.faces.size() > kMostMiddles;
     for (const Place& p : tree.places) size_ = std::max(size_, space::size_of(p.at));
     tree.nodes.push_back(node_of(tree, 0, static_cast<std::uint32_t>(tree.places.size())));
   }
@@ -233,6 +235,7 @@ double SurfaceDepths::told(int node, const space::Extent& box, const Vector& fro
 }
 
 double SurfaceDepths::overlap(const space::Extent& box, const Vector& from, double known, int& likely) {
+  if (!fine_) return known;
   const Vector position = probe(box, from, known);
   const double half = space::length(box.high - box.low) / 2;
   double most = likely == kNone ? known : std::max(known, told(likely, box, from, position));

@@ -32,7 +32,8 @@ class SurfaceDepths {
   bool deeper(const space::Vector& position, double than, int& likely);
   static constexpr int kNone = -1;
   /// At all positions of the box that are nearer to `from` than that they overlap, as a place tells that no triangle of
-  /// the other surface separates from where it is; `known` where none tells more.
+  /// the other surface separates from where it is; `known` where none tells more, and
+  /// of surfaces that are not fine.
   double overlap(const space::Extent& box, const space::Vector& from, double known, int& likely);
   /// Of the coordinates.
   double size() const { return size_; }
@@ -73,6 +74,7 @@ class SurfaceDepths {
   SurfaceField of_b_, of_a_;
   std::array<Tree, 2> trees_;
   double size_ = 0;
+  bool fine_ = false;  // one of the surfaces
 };
 
 }  // namespace findspace::distance
