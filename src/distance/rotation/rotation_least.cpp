@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "exact/margins/plane.h"
+#include "plane/base/stop_check.h"
 
 namespace findspace::distance {
 
@@ -69,40 +70,57 @@ RotationMap middles(const RotationMap& set) {
 
 }  // namespace
 
-RotationOptimum least_rotation(const std::function<RotationMap(const Real&)>& sign, const RotationMap& set,
-                               const Real& step, bool jumps) {
+const RotationMap& RotatedLevels::at(double steps) {
+  const auto found = made_.find(steps);
+  if (found != made_.end()) return found->second;
+  if (plane::StopCheck* const check = plane::stop_check()) check->poll();
+  plane::count_cells(cells_);
+  return made_.emplace(steps, signs_(level(steps))).first->second;
+}
+
+RotationOptimum least_rotation(RotatedLevels& levels, const RotationMap& set, bool jumps) {
   const RotationMap closed = jumps ? set : closure(set);
-  const auto reached = [&](double level) { return has(probe(sign(Real::from_double(level) * step), closed), kOn); };
+  const auto reached = [&](double level) { return has(probe(levels.at(level), closed), kOn); };
   RotationOptimum out;
   out.at = RotationMap::uniform(0);
+  if (!has(set, 1)) return out;
   double high = 1, low = -1;  // in steps
-  while (high < margin::kBeyondAll && !reached(high)) {
+  bool is_bound = false;      // low
+  for (; high < margin::kBeyondAll && !reached(high); high *= 2) {
     low = high;
-    high *= 2;
+    is_bound = true;
+    if (!levels.is_spent(2 * high)) continue;
+    out.set_enclosed({}, levels.level(low), Way::kAngles);
+    return out;
   }
   if (high >= margin::kBeyondAll) return out;
-  for (; low > -margin::kBeyondAll && reached(low); low *= 2) high = low;
+  while (!is_bound && low > -margin::kBeyondAll && !levels.is_spent(low)) {
+    is_bound = !reached(low);
+    if (is_bound) break;
+    high = low;
+    low *= 2;
+  }
   if (low <= -margin::kBeyondAll) {
-    out.at = plane::remark(probe(sign(Real::from_double(high) * step), set), [](Mark m) { return Mark(m == kBelow); });
+    out.at = plane::remark(probe(levels.at(high), set), [](Mark m) { return Mark(m == kBelow); });
     out.set_lowest(Way::kAngles);
     return out;
   }
-  while (high - low > std::max(1.0, std::abs(high)) * margin::kRotatedBracket) {
+  while (is_bound && high - low > std::max(1.0, std::abs(high)) * margin::kRotatedBracket) {
     const double middle = low + (high - low) / 2;
+    if (levels.is_spent(middle)) break;
     (reached(middle) ? high : low) = middle;
   }
-  const Real whole = Real::from_double(std::round(high)) * step;
-  const RotationMap map = probe(sign(whole), closed);
-  const Real reached_level = Real::from_double(high) * step;
-  if (std::abs(high - std::round(high)) < 1 && !has(map, kBelow) && has(map, kOn))
-    out.set_exact(whole, Way::kAngles);
+  const double whole = std::round(high);
+  const RotationMap map = probe(levels.at(whole), closed);
+  if (std::abs(high - whole) < 1 && !has(map, kBelow) && has(map, kOn))
+    out.set_exact(levels.level(whole), Way::kAngles);
   else
-    out.set_enclosed(reached_level, Real::from_double(low) * step, Way::kAngles);
-  const RotationMap at = out.proven() ? map : middles(probe(sign(reached_level), closed));
+    out.set_enclosed(levels.level(high), is_bound ? std::optional(levels.level(low)) : std::nullopt, Way::kAngles);
+  const RotationMap at = out.proven() ? map : middles(probe(levels.at(high), closed));
   const std::array<const RotationMap*, 2> both{&at, &set};
   const RotationMap inside = overlay(both, [](std::span<const Mark> m) { return Mark(m[0] != 0 && m[1] != 0); });
   const bool reached_inside = has(inside, 1);
-  out.attained = reached_inside && (out.proven() || !has(probe(sign(reached_level), missing_ends(set)), kOn));
+  out.attained = reached_inside && (out.proven() || !has(probe(levels.at(high), missing_ends(set)), kOn));
   out.at = reached_inside ? inside : at;
   return out;
 }

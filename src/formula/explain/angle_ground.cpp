@@ -4,12 +4,14 @@
 #include <cmath>
 #include <set>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "findspace/error.h"
 #include "formula/explain/common_relaxation.h"
 #include "formula/explain/ground.h"
 #include "formula/language/text.h"
+#include "plane/base/search_work.h"
 
 namespace findspace::formula {
 namespace {
@@ -50,14 +52,19 @@ class AngleGround : public KnownCells {
   LevelChange best(std::size_t k, int sign, Sense sense) override {
     const RotationMap within =
         angles([&](std::span<const Mark> signs) { return holds_without(demands(), signs, k, sign); });
-    const distance::RotationOptimum best = maps_.best(demands().formula().atoms()[k].distance, within, sense);
+    const distance::RotationOptimum best =
+        counted([&] { return maps_.best(demands().formula().atoms()[k].distance, within, sense); });
+    if (!best.proven() && !best.value()) return unknown(k);
     LevelChange out = changed(demands(), k, best, best.attained && best.proven());
     if (out.kind == LevelChange::Kind::kTo) out.place = angle_in(best.at).value_or(RemainingPlace());
     return out;
   }
   CommonRelaxation together(const std::optional<Real>& enough) override {
-    const FindPlace find = [this](const Formula& near) { return angle_in(maps_.feasible(near)); };
-    return common_relaxation(find, maps_.world().step(), demands(), enough);
+    const FindPlace find = [this](const Formula& near) {
+      for (const SignMap& m : near.sign_maps()) plane::count_cells(maps_.cells(m.distance));
+      return angle_in(maps_.feasible(near));
+    };
+    return counted([&] { return common_relaxation(find, maps_.world().step(), demands(), enough); });
   }
 
  private:
@@ -69,8 +76,27 @@ class AngleGround : public KnownCells {
     return plane::overlay(operands, [&](std::span<const Mark> signs) { return Mark(rule(signs) ? 1 : 0); });
   }
 
+  /// With a share of the work that is left.
+  template <class Search>
+  std::invoke_result_t<Search> counted(const Search& search) {
+    plane::SearchWork share{work_.left / plane::kShareOfSearch};
+    work_.left -= share.left;
+    const plane::ScopedSearchWork here(&share);
+    auto out = search();
+    work_.left += share.left;
+    return out;
+  }
+  static LevelChange unknown(std::size_t k) {
+    LevelChange out;
+    out.atom = k;
+    out.kind = LevelChange::Kind::kUnknown;
+    out.refused = plane::search_spent("the best value over angles was not found").error.message();
+    return out;
+  }
+
   const RotationMaps& maps_;
   std::vector<RotationMap> signs_;
+  plane::SearchWork work_;
 };
 
 }  // namespace

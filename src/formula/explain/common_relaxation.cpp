@@ -5,6 +5,8 @@
 
 #include <array>
 
+#include "plane/base/search_work.h"
+
 namespace findspace::formula {
 namespace {
 
@@ -83,12 +85,12 @@ CommonRelaxation common_relaxation(const FindPlace& find, const Real& step, cons
   const Real finest = step / Real(kParts);
   high = Real(floor(high / part) + 1) * part;
   for (int times = 0; !search.room(high); ++times) {
-    if (times == kDoublings) return search.found();
+    if (times == kDoublings || plane::cells_left() <= 0) return search.found();
     high *= Real(2);
   }
   // In whole parts; the last amount without room is one of them.
   int128 without = floor(search.found().lower / part), with = floor(high / part);
-  while ((with - without) * kParts > with && (with - without > 1 || part > finest)) {
+  while ((with - without) * kParts > with && (with - without > 1 || part > finest) && plane::cells_left() > 0) {
     if (with - without == 1) {
       part /= Real(10);
       without *= 10;

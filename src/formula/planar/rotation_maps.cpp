@@ -95,6 +95,12 @@ RotationMaps::Contacts RotationMaps::contacts(const Distance& rotating) const {
   return out;
 }
 
+long RotationMaps::cells(const Distance& distance) const {
+  constexpr std::size_t kOfMap = 50, kOfPair = 40;
+  const auto edges = [&](const std::vector<std::string>& names) { return world_.shape(names)->edges.size(); };
+  return static_cast<long>(kOfMap + kOfPair * edges(distance.first) * edges(distance.second));
+}
+
 RotationMap RotationMaps::directional_map(const Distance& wanted, const Real& level) const {
   const Distance d = moving_first(wanted, world_.world().moving);
   const Which which = world_.which(d);
@@ -137,9 +143,8 @@ distance::RotationOptimum RotationMaps::best(const Distance& d, const RotationMa
   const auto sign = [&](const Real& level) {
     return least ? sign_map({d, level}) : plane::remark(sign_map({d, -level}), [](Mark k) { return Mark(-k); });
   };
-  const auto search = [&](bool jumping) {
-    return distance::least_rotation(sign, within, step_of_values(world_, d), jumping);
-  };
+  distance::RotatedLevels levels(sign, step_of_values(world_, d), cells(d));
+  const auto search = [&](bool jumping) { return distance::least_rotation(levels, within, jumping); };
   distance::RotationOptimum best = search(false);
   // The greatest gap, where it is above 0, is the limit of those near it.
   const bool is_apart =

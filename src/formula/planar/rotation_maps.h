@@ -26,6 +26,8 @@ class RotationMaps {
   exact::RealPoint centre() const;
 
   plane::RotationMap sign_map(const SignMap& wanted) const;
+  /// The work of one for that distance (search_work.h).
+  long cells(const Distance& distance) const;
   /// {angle : the formula holds}.
   plane::RotationMap feasible(const Formula& formula) const;
   /// Where in a set of angles a distance is least or greatest; the value in the scene's unit, or in degrees.
