@@ -12,6 +12,7 @@
 #include "distance/rotation/motion_maps.h"
 #include "distance/rotation/rated_gap.h"
 #include "distance/rotation/rotation_in_time.h"
+#include "distance/rotation/rotation_least.h"
 #include "distance/rotation/rotation_motion.h"
 #include "distance/rotation/rotational_by_position.h"
 #include "distance/rotation/squared_bound.h"
@@ -173,6 +174,27 @@ TEST(RotatingMotion, ASmoothLeastGapHasNearBounds) {
   EXPECT_NEAR(most->high / kUnit, 9.5, 1e-9);
 }
 
+/// A disc on an arm of 3 protrudes least from a box over its corner, and smoothly so; most over its sides.
+TEST(RotatingMotion, AProtrusionFromAConvexShapeHasNearBounds) {
+  constexpr std::int64_t kUnit = 1'000'000;
+  const Region arm = plane::region_of_disc(Real(3 * kUnit), Real(0), Real(kUnit / 2)),
+               fixed = box(-2 * kUnit, -2 * kUnit, 2 * kUnit, 2 * kUnit);
+  const auto expect = [](const RotatingMotion& f, Sense sense, double truth) {
+    const auto v = f.extremum({}, sense);
+    ASSERT_TRUE(v);
+    EXPECT_NEAR(v->low / kUnit, truth, 1e-9);
+    EXPECT_NEAR(v->high / kUnit, truth, 1e-9);
+  };
+  const double least = 3.5 - 2 * std::sqrt(2.0);
+  expect({arm, fixed, Which::kMu, turning(3, 80)}, Sense::kMinimum, least);
+  expect({arm, fixed, Which::kMu, turning(3, 101)}, Sense::kMaximum, 1.5);
+  // The box about the disc that stands still, and the other way round.
+  std::vector<RotatingPose> about = turning(0, 0);
+  about[0].fixed = Real(-3), about[1].fixed = Real(-80);
+  expect({arm, fixed, Which::kMu, about}, Sense::kMinimum, least);
+  expect({fixed, arm, Which::kMuBack, turning(-3, -80)}, Sense::kMinimum, least);
+}
+
 /// What covers nothing at any time has a d* of 0, which rounding does not make negative.
 TEST(RotatingMotion, NoDistanceIsBelowZero) {
   for (const Which which : {Which::kD1, Which::kDstar, Which::kDstarBack}) {
@@ -188,15 +210,15 @@ TEST(RotatingMotion, NoDistanceIsBelowZero) {
 /// Between two instants no distance of a pair of points is beyond the bound, whatever is known beside them.
 TEST(SquaredBound, OfTwoPointsOnArms) {
   const auto at = [](double s) { return std::hypot(5 - 3 * std::cos(s), 3 * std::sin(s)); };
-  const auto sample = [&](double s) { return SquaredSample{s, at(s)}; };
+  const auto sample = [&](double s) { return SquaredSample{s, at(s), 0}; };
   const PairMotion motion{3, 3};
   for (double from = -1; from < 1; from += 0.0625) {
     const double to = from + 0.125;
     for (const PairsTaken taken : {PairsTaken::kNearest, PairsTaken::kFarthest}) {
       const auto low =
-          squared_bound(taken, true, motion, sample(from), sample(to), sample(from - 0.125), sample(to + 0.125), 0);
+          squared_bound(taken, true, motion, sample(from), sample(to), sample(from - 0.125), sample(to + 0.125));
       const auto high =
-          squared_bound(taken, false, motion, sample(from), sample(to), sample(from - 0.125), sample(to + 0.125), 0);
+          squared_bound(taken, false, motion, sample(from), sample(to), sample(from - 0.125), sample(to + 0.125));
       ASSERT_TRUE(low && high);
       for (double s = from; s <= to; s += 0.0078125) {
         EXPECT_LE(*low, at(s));
@@ -205,7 +227,42 @@ TEST(SquaredBound, OfTwoPointsOnArms) {
       EXPECT_GE(*low, std::min(at(from), at(to)) - 0.2);
     }
   }
-  EXPECT_FALSE(squared_bound(PairsTaken::kNone, true, motion, sample(0), sample(1), {}, {}, 0));
+  // A point on an arm, beyond lines at 2 to the right and above.
+  const auto beyond = [](double s) { return SquaredSample{s, 3 * std::max(std::cos(s), std::sin(s)) - 2, 0}; };
+  for (double from = -1; from < 1; from += 0.0625) {
+    const double to = from + 0.125;
+    const auto bound = [&](bool least) {
+      return squared_bound(PairsTaken::kFarthestLine, least, motion, beyond(from), beyond(to), beyond(from - 0.125),
+                           beyond(to + 0.125));
+    };
+    ASSERT_TRUE(bound(true) && bound(false));
+    for (double s = from; s <= to; s += 0.0078125) {
+      EXPECT_LE(*bound(true), beyond(s).f);
+      EXPECT_GE(-*bound(false), beyond(s).f);
+    }
+    EXPECT_GE(*bound(true), std::min(beyond(from).f, beyond(to).f) - 0.3);
+  }
+  EXPECT_FALSE(squared_bound(PairsTaken::kNone, true, motion, sample(0), sample(1), {}, {}));
+}
+
+/// A distance that is 5 steps at every angle, as far as the work reaches.
+TEST(RotationLeast, EndsWithItsWork) {
+  const auto constant = [](const Real& level) {
+    return plane::RotationMap::uniform(plane::Mark(compare(Real(5), level)));
+  };
+  const auto least = [&](long work) {
+    plane::SearchWork left{work};
+    const plane::ScopedSearchWork here(&left);
+    RotatedLevels levels(constant, Real(1), 100);
+    return least_rotation(levels, plane::RotationMap::uniform(1), false);
+  };
+  EXPECT_EQ(*least(100'000).value(), Real(5));
+  const RotationOptimum narrow = least(500), none = least(200);
+  EXPECT_FALSE(narrow.proven() || none.proven());
+  EXPECT_EQ(*narrow.value(), Real(6));
+  EXPECT_EQ(*narrow.bound(), Real(4));
+  EXPECT_FALSE(none.value());
+  EXPECT_EQ(*none.bound(), Real(2));
 }
 
 /// A segment is nowhere deep in itself: what lies deep is its points in B.

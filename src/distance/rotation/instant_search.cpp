@@ -35,7 +35,12 @@ void InstantSearch::look_evenly(std::size_t legs) {
 
 void InstantSearch::narrow(double enough, double floor) {
   least_gap_ = std::max(enough, scale_ * margin::kMotionGap);
-  gaps_.run([&](const Gap& gap) { return spent() || best_.f <= floor || !(best_.f - gap.low > least_gap_); },
+  const PairsTaken taken = motion_.pairs_taken();
+  // A bound lacks what its ends are off, and by a chord that ends beyond three times that.
+  const bool beyond = taken != PairsTaken::kNone && (sign_ > 0) != (taken == PairsTaken::kNearest);
+  const double lacking = beyond ? 3 : 1;  // no sign: when to stop
+  const auto settled = [&](const Gap& gap) { return !(best_.f - gap.low > least_gap_ + lacking * gap.off()); };
+  gaps_.run([&](const Gap& gap) { return spent() || best_.f <= floor || settled(gap); },
             [&](const Gap& gap) {
               const Sample middle = look(gap.a.leg, (gap.a.s + gap.b.s) / 2);
               add({gap.a, middle, gap.before, gap.b, 0});
@@ -57,7 +62,7 @@ void InstantSearch::refine() {
     keep_better(low);
     keep_better(high);
     if (spent()) return;
-    if (low.f < high.f) {
+    if (low.most() < high.most()) {
       to = high.s;
       high = low;
       low = inner(true);
@@ -80,26 +85,26 @@ InstantSearch::Sample InstantSearch::look(std::size_t leg, double s, bool refini
   work_ += v.work;
   plane::count_cells(v.work);
   if (!v.look) return undefined_.emplace_back(Sample{leg, s, kNone, kNone});
-  rounding_ = std::max(rounding_, v.look->off);
   most_ = std::max(most_, v.look->f);
-  if (sign_ > 0) return {leg, s, v.look->f, v.look->rated};
-  return {leg, s, -v.look->f, -v.look->rated};
+  if (sign_ > 0) return {leg, s, v.look->f, v.look->rated, v.look->off};
+  return {leg, s, -v.look->f, -v.look->rated, v.look->off};
 }
 
 double InstantSearch::low_between(const Gap& gap) const {
   const auto &a = gap.a, &b = gap.b;
   const double drop = motion_.rate(a.leg) * (b.s - a.s);
+  const double at_a = a.rated - a.off, at_b = b.rated - b.off;
   // Where f is undefined nothing is known of it beside: the other end bounds it.
-  if (std::isinf(a.rated) && std::isinf(b.rated)) return kNone;
-  if (std::isinf(a.rated)) return b.rated - drop;
-  if (std::isinf(b.rated)) return a.rated - drop;
-  const double low = (a.rated + b.rated - drop) / 2;
-  const auto squared = [&](const Sample& k) { return SquaredSample{k.s, sign_ * k.f}; };
+  if (std::isinf(at_a) && std::isinf(at_b)) return kNone;
+  if (std::isinf(at_a)) return at_b - drop;
+  if (std::isinf(at_b)) return at_a - drop;
+  const double low = (at_a + at_b - drop) / 2;
+  const auto squared = [&](const Sample& k) { return SquaredSample{k.s, sign_ * k.f, k.off}; };
   const auto beside = [&](const std::optional<Sample>& k) {
     return k && !std::isinf(k->f) ? std::optional(squared(*k)) : std::nullopt;
   };
-  const auto bound = squared_bound(motion_.pairs_taken(), sign_ > 0, motion_.pair_motion(a.leg), squared(a), squared(b),
-                                   beside(gap.before), beside(gap.after), rounding_);
+  const auto bound = squared_bound(motion_.pairs_taken(), sign_ > 0, motion_.pair_motion(p_, a.leg), squared(a),
+                                   squared(b), beside(gap.before), beside(gap.after));
   return bound ? std::max(low, *bound) : low;
 }
 

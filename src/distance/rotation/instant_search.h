@@ -7,6 +7,7 @@
 // Keywords: Lipschitz optimisation, golden section.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -28,7 +29,9 @@ class InstantSearch {
   struct Sample {
     std::size_t leg;
     double s, f;
-    double rated;  // not above f: what bounds it beside
+    double rated;    // not above f: what bounds it beside
+    double off = 0;  // both may be
+    double most() const { return f + off; }
   };
 
   /// `most`: cells of work. Keeps references.
@@ -44,8 +47,8 @@ class InstantSearch {
 
   const std::vector<Sample>& undefined() const { return undefined_; }  // instants that were looked at
   const Sample& best() const { return best_; }
-  double certain() const { return gaps_.best().low; }  // f is nowhere less, if it keeps to its rate
-  double rounding() const { return rounding_; }
+  /// f is nowhere less, if it keeps to its rate.
+  double certain() const { return std::min(gaps_.best().low, best_.f - best_.off); }
   double most() const { return most_; }  // of the plain f
 
  private:
@@ -53,12 +56,13 @@ class InstantSearch {
     Sample a, b;
     std::optional<Sample> before, after;  // on the same leg
     double low;
+    double off() const { return std::max(a.off, b.off); }
     bool operator<(const Gap& other) const { return low > other.low; }
   };
 
   Sample look(std::size_t leg, double s, bool refining = false);
   void keep_better(const Sample& k) {
-    if (k.f < best_.f) best_ = k;
+    if (k.most() < best_.most()) best_ = k;
   }
   void add(Gap gap);
   double low_between(const Gap& gap) const;
@@ -73,7 +77,7 @@ class InstantSearch {
   plane::SearchQuestion question_;
   plane::Subdivision<Gap> gaps_;  // the lowest first
   Sample best_{0, 0, kNone, kNone};
-  double scale_ = 0, least_gap_ = 0, rounding_ = 0, most_ = -kNone;
+  double scale_ = 0, least_gap_ = 0, most_ = -kNone;
   std::vector<Sample> undefined_;
 };
 

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "distance/planar_features/feature_pair_search.h"
 #include "distance/rotation/instant_search.h"
 #include "distance/rotation/rated_gap.h"
 #include "exact/margins/planar_distance.h"
@@ -74,6 +75,18 @@ constexpr double kNone = std::numeric_limits<double>::infinity();
 Which plain_of_covered(Which which) { return which == Which::kDstar ? Which::kMuBack : Which::kMu; }
 bool is_covered(Which which) { return which == Which::kDstar || which == Which::kDstarBack; }
 
+/// Of both shapes, the greater one: it stays while they move.
+ValueRange own_diameter(const TurningShapes& shapes) {
+  const FeatureTree b(shapes.b()), a(shapes.a());
+  const Real own = std::max(farthest_pair(b, b, {}).distance, farthest_pair(a, a, {}).distance);
+  const auto ends = (own / Real::from_double(shapes.factor())).interval();
+  return {ends.lo, ends.hi};
+}
+
+ValueRange greater(const ValueRange& v, const ValueRange& w) {
+  return {std::max(v.low, w.low), std::max(v.high, w.high)};
+}
+
 bool may_be_negative(Which which) {
   return which == Which::kGamma1 || which == Which::kMu || which == Which::kMuBack || is_of_fits(which);
 }
@@ -88,7 +101,8 @@ RotatingMotion::RotatingMotion(std::shared_ptr<const TurningShapes> shapes, Whic
     : shapes_(std::move(shapes)),
       which_(which == Which::kPenetration ? Which::kGamma1 : which),
       negated_(which == Which::kPenetration),
-      keeps_rate_(which_ == Which::kGamma1 && is_convex(shapes_->b()) && is_convex(shapes_->a())) {
+      keeps_rate_(which_ == Which::kGamma1 && shapes_->b_is_convex() && shapes_->a_is_convex()),
+      pairs_taken_(pairs_of(which_)) {
   if (which_ == Which::kGamma1 && !keeps_rate_ && none_turns(shapes_->poses()))
     keeps_rate_ = shapes_->standing(0, Real(0)).rounding == 0;
 }
@@ -97,6 +111,7 @@ RotatingMotion RotatingMotion::of(Which which) const {
   RotatingMotion out = *this;
   out.which_ = which;
   out.negated_ = false;
+  out.pairs_taken_ = pairs_of(which);
   return out;
 }
 
@@ -108,18 +123,45 @@ double RotatingMotion::rate(std::size_t leg) const {
                           std::abs(near_value(q.fixed - p.fixed)) * shapes_->a_reach());
 }
 
-PairsTaken RotatingMotion::pairs_taken() const {
-  if (which_ == Which::kGamma2 || which_ == Which::kDiameter) return PairsTaken::kFarthest;
+PairsTaken RotatingMotion::pairs_of(Which which) const {
   const bool bounded = plane::is_bounded(shapes_->b()) && plane::is_bounded(shapes_->a());
-  return which_ == Which::kD1 && bounded ? PairsTaken::kNearest : PairsTaken::kNone;
+  switch (which) {
+    case Which::kGamma2:
+    case Which::kDiameter:
+      return PairsTaken::kFarthest;
+    case Which::kD1:
+      return bounded ? PairsTaken::kNearest : PairsTaken::kNone;
+    case Which::kMu:
+    case Which::kH:
+      return shapes_->a_is_convex() ? PairsTaken::kFarthestLine : PairsTaken::kNone;
+    case Which::kMuBack:
+    case Which::kHBack:
+      return shapes_->b_is_convex() ? PairsTaken::kFarthestLine : PairsTaken::kNone;
+    case Which::kHausdorff:
+      return shapes_->a_is_convex() && shapes_->b_is_convex() ? PairsTaken::kFarthestLine : PairsTaken::kNone;
+    default:
+      return PairsTaken::kNone;
+  }
 }
 
-PairMotion RotatingMotion::pair_motion(std::size_t leg) const {
+PairMotion RotatingMotion::pair_motion(const RealPoint& at, std::size_t leg) const {
   const RotatingPose &p = shapes_->poses()[leg], &q = shapes_->poses()[leg + 1];
-  const double radians = std::numbers::pi / 180, of_b = radians * near_value(q.moving - p.moving),
-               of_a = radians * near_value(q.fixed - p.fixed);
-  return {rate(leg) * margin::kUpward,
-          (of_b * of_b * shapes_->b_reach() + of_a * of_a * shapes_->a_reach()) * margin::kUpward};
+  const double radians = std::numbers::pi / 180, of_b = std::abs(radians * near_value(q.moving - p.moving)),
+               of_a = std::abs(radians * near_value(q.fixed - p.fixed));
+  const double b_reach = shapes_->b_reach(), a_reach = shapes_->a_reach();
+  if (pairs_taken_ != PairsTaken::kFarthestLine)
+    return {rate(leg) * margin::kUpward, (of_b * of_b * b_reach + of_a * of_a * a_reach) * margin::kUpward};
+  // As seen from the convex shape, what turns is all that is between the origins as well.
+  const auto length = [](const Real& x, const Real& y) { return std::hypot(near_value(x), near_value(y)); };
+  const double way = length(q.at.x - p.at.x, q.at.y - p.at.y),
+               apart = std::max(length(at.x + p.at.x, at.y + p.at.y), length(at.x + q.at.x, at.y + q.at.y));
+  const double turns = of_a + of_b;
+  const auto seen = [&](double of_container, double reach) {
+    return turns * turns * reach + of_container * (of_container * apart + 2 * way);
+  };
+  const bool back = which_ == Which::kMuBack || which_ == Which::kHBack, both = which_ == Which::kHausdorff;
+  const double most = std::max(back ? 0.0 : seen(of_a, b_reach), back || both ? seen(of_b, a_reach) : 0.0);
+  return {rate(leg) * margin::kUpward, most * margin::kUpward};
 }
 
 RotatingMotion::Look RotatingMotion::look_of(const Standing& standing, const PlanarAnswer& v) const {
@@ -226,6 +268,10 @@ std::optional<ValueRange> RotatingMotion::extremum(const RealPoint& p, Sense sen
 }
 
 std::optional<ValueRange> RotatingMotion::plain_extremum(const RealPoint& p, const Searched& search) const {
+  if (which_ == Which::kDiameter) {
+    const auto v = of(Which::kGamma2).plain_extremum(p, search);
+    return v ? std::optional(greater(*v, own_diameter(*shapes_))) : v;
+  }
   if (auto v = extremum_by_boundaries(p, search)) return v;
   return extremum_of_all(p, search);
 }
@@ -248,9 +294,7 @@ std::optional<ValueRange> RotatingMotion::extremum_apart(const RealPoint& p, con
   if (!apart()) return std::nullopt;
   instants.refine();
   if (!apart()) return std::nullopt;
-  const auto best = plain_instant(p, instants.best().leg, Real::from_double(instants.best().s));
-  const double found = search.least ? best->high : -best->low;
-  const double below = std::min(instants.best().f, instants.certain()) - instants.rounding();
+  const double found = instants.best().most(), below = instants.certain();
   if (!search.least) return ValueRange{-found, -below};
   if (below < 0 && !rated_below_zero()) return ValueRange{std::min(below, least_gap()), found};
   return ValueRange{below, found};
@@ -275,12 +319,10 @@ std::optional<ValueRange> RotatingMotion::extremum_of_all(const RealPoint& p, co
   const std::size_t evenly = undefined.size();
   search.narrow(asked.enough);
   if (search.best().f == -kNone) return ValueRange{-kNone, at(search.best())->high};
-  const double certain = search.certain();
   const bool none = search.best().f == kNone && !undefined.empty();
   if (!none) search.refine();
   if (!least && is_certain(evenly)) return std::nullopt;
-  double found = search.best().f + search.rounding();
-  double from_below = std::min(search.best().f, certain) - search.rounding();
+  double found = search.best().most(), from_below = search.certain();
   const double most = least ? search.most() : std::max(search.most(), -from_below);
   const bool rated = undefined.empty() && has_rate(which_, most);
   if (!rated) from_below = -kNone;

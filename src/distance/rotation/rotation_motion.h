@@ -70,8 +70,8 @@ class RotatingMotion {
   /// By how much f may change over the whole of a leg, in proportion to its part.
   double rate(std::size_t leg) const;
   /// For squared_bound.h.
-  PairsTaken pairs_taken() const;
-  PairMotion pair_motion(std::size_t leg) const;
+  PairsTaken pairs_taken() const { return pairs_taken_; }
+  PairMotion pair_motion(const exact::RealPoint& at, std::size_t leg) const;
 
  private:
   using Standing = TurningShapes::Standing;
@@ -81,6 +81,7 @@ class RotatingMotion {
     Effort effort;
   };
 
+  PairsTaken pairs_of(Which which) const;
   /// The same shapes for another distance.
   RotatingMotion of(Which which) const;
   Look look_of(const Standing& standing, const PlanarAnswer& v) const;
@@ -109,6 +110,7 @@ class RotatingMotion {
   Which which_;      // kGamma1 for a penetration
   bool negated_;     // a penetration: max(0, -gamma1)
   bool keeps_rate_;  // known of a gap: below 0 too, as both shapes are convex, or as none turns or is rounded
+  PairsTaken pairs_taken_;
 };
 
 }  // namespace findspace::distance

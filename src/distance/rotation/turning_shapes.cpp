@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "distance/planar_features/boundary_features.h"
+#include "distance/rotation/rated_gap.h"
 #include "plane/build/transform.h"
 #include "plane/query/scaled.h"
 
@@ -48,6 +49,12 @@ TurningShapes::TurningShapes(const plane::Region& b, const plane::Region& a, std
   b_ = plane::scaled(b, factor);
   a_ = plane::scaled(a, factor);
   factor_ = double(factor);
+}
+
+bool TurningShapes::convex(const plane::Region& r, std::optional<bool>& known) const {
+  const std::lock_guard lock(guard_);
+  if (!known) known = is_convex(r);
+  return *known;
 }
 
 RealPoint TurningShapes::place(const RealPoint& p, std::size_t leg, const Real& s) const {

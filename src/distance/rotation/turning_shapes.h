@@ -10,6 +10,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -64,10 +65,14 @@ class TurningShapes {
   /// On the fine grid, as drawn.
   const plane::Region& b() const { return b_; }
   const plane::Region& a() const { return a_; }
+  /// As rated_gap.h.
+  bool b_is_convex() const { return convex(b_, b_convex_); }
+  bool a_is_convex() const { return convex(a_, a_convex_); }
   std::size_t edges() const { return b_.edges.size() + a_.edges.size(); }
 
  private:
   Standing made(std::size_t leg, const exact::Real& s) const;
+  bool convex(const plane::Region& r, std::optional<bool>& known) const;
 
   using Instant = std::pair<std::size_t, int>;  // a leg, and a part of it in halves of halves
 
@@ -76,6 +81,7 @@ class TurningShapes {
   std::vector<RotatingPose> poses_;
   mutable std::mutex guard_;
   mutable std::map<Instant, Standing> kept_;
+  mutable std::optional<bool> b_convex_, a_convex_;  // where asked for
 };
 
 }  // namespace findspace::distance
