@@ -127,7 +127,6 @@ PairsTaken RotatingMotion::pairs_of(Which which) const {
   const bool bounded = plane::is_bounded(shapes_->b()) && plane::is_bounded(shapes_->a());
   switch (which) {
     case Which::kGamma2:
-    case Which::kDiameter:
       return PairsTaken::kFarthest;
     case Which::kD1:
       return bounded ? PairsTaken::kNearest : PairsTaken::kNone;
@@ -279,8 +278,12 @@ std::optional<ValueRange> RotatingMotion::plain_extremum(const RealPoint& p, con
 std::optional<ValueRange> RotatingMotion::extremum_by_boundaries(const RealPoint& p, const Searched& search) const {
   if (which_ == Which::kGamma1) return extremum_apart(p, search);
   if (!search.least || (which_ != Which::kEta1 && which_ != Which::kDelta1)) return std::nullopt;
-  const auto v = of(which_ == Which::kEta1 ? Which::kMu : Which::kMuBack).plain_extremum(p, search);
-  return v && v->high <= 0 ? v : std::nullopt;
+  const RotatingMotion mu = of(which_ == Which::kEta1 ? Which::kMu : Which::kMuBack);
+  const auto found = [&](Effort effort) {
+    const auto v = mu.plain_extremum(p, {true, search.enough, effort});
+    return v && v->high <= 0 ? v : std::nullopt;
+  };
+  return search.effort == Effort::kCoarse || found(Effort::kCoarse) ? found(search.effort) : std::nullopt;
 }
 
 /// A least gap above 0 is that of all instants; a greatest one that of those at which the shapes are apart.
