@@ -32,8 +32,9 @@ long most_work(RotatingMotion::Effort effort) {
 
 /// What a look takes where boundaries tell the distance; where a map of positions does.
 long work_of_boundaries(const TurningShapes& shapes) { return 2 + long(shapes.edges()) / 8; }
-long work_of_map(const TurningShapes& shapes) {
-  constexpr long kOfMap = 50, kOfPair = 4;
+long work_of_map(const TurningShapes& shapes, bool convex) {
+  constexpr long kOfMap = 50, kOfPair = 4, kOfConvex = 10, kOfEdge = 2;
+  if (convex) return kOfConvex + kOfEdge * long(shapes.edges());
   return kOfMap + kOfPair * long(shapes.b().edges.size() * shapes.a().edges.size());
 }
 
@@ -191,7 +192,8 @@ RotatingMotion::Looked RotatingMotion::look(const RealPoint& p, std::size_t leg,
                                             const Need& need) const {
   const Standing here = shapes_->standing(leg, s);
   const RealPoint at = shapes_->place(p, leg, s);
-  const long light = work_of_boundaries(*shapes_), heavy = light + work_of_map(*shapes_);
+  const bool convex = keeps_rate_ && shapes_->a_is_convex() && shapes_->b_is_convex();
+  const long light = work_of_boundaries(*shapes_), heavy = light + work_of_map(*shapes_, convex);
   if (which_ == Which::kGamma1) {
     const auto apart = here.measured->measure(Which::kD1, at);
     if (!apart) return {std::nullopt, light};
