@@ -73,6 +73,25 @@ int sign_turn(const MovedPoint& a, const MovedPoint& b, const MovedPoint& c, int
       .sign();
 }
 
+int sign_side(const SpotPlane<MovedPoint>& plane, const MovedPoint& p, const Movement& m) {
+  if (const int sign = sign_side(plane, p, m.rough); sign != 0) return sign;
+  const Wide3& n = plane.normal;
+  const int128 still = dot(n, p.at - plane.on.at);
+  if (p.moved == plane.on.moved) return sign(still);
+  const Real by = Real(n.x) * m.by[0] + Real(n.y) * m.by[1] + Real(n.z) * m.by[2];
+  return (p.moved ? Real(still) + by : Real(still) - by).sign();
+}
+
+int sign_side(const SpotPlane<RaisedPoint>& plane, const RaisedPoint& p, const Fraction& by) {
+  const Grid3 way = p.at - plane.on.at;
+  const int low = sign_dot(plane.normal, plane.near, way);
+  if (by.numerator == 0 || p.raised == plane.on.raised) return low;
+  const std::int64_t up = p.raised ? 1 : -1;
+  const int high = sign_dot(plane.normal, plane.near, {way.x, way.y, way.z + up});
+  if (low == high) return low;  // the value is linear in the height
+  return (multiply(dot(plane.normal, way), by.denominator) + multiply(plane.normal.z * up, by.numerator)).sign();
+}
+
 int compare_coordinate(const MovedPoint& a, const MovedPoint& b, int axis, const Movement& m) {
   const Way w = way(b, a, m.rough);
   if (w.c[axis] > w.error) return 1;

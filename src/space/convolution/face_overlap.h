@@ -3,14 +3,15 @@
 //
 // Whether two triangles, one of each body, show that the interiors meet: 1 to 4 of ray_overlap.h, at positions on rays
 // or at any real ones. A spot is a corner of a body and whether it is of the moved one; what `By` says of the position
-// is passed to the exact signs of four spots (sign_volume, sign_turn, compare_coordinate). Guarantee: exact in every
-// degenerate position. Cost: some ten signs. Source: crossing test as in Guigue and Devillers 2003.
+// is passed to the exact signs of spots (sign_volume, sign_side, sign_turn, compare_coordinate). Guarantee: exact in
+// every degenerate position. Cost: some ten signs. Source: crossing test as in Guigue and Devillers 2003.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
+#include "exact/solid/moved_sign.h"
 #include "space/convolution/ray_body.h"
 
 namespace findspace::space::faces {
@@ -28,6 +29,7 @@ struct Placed {
     for (int k = 0; k < 3; ++k) corner[k] = point(body.faces[f][k]);
   }
   Spot point(int v) const { return {body.points[v] + shift, raised}; }
+  exact::SpotPlane<Spot> plane() const { return {corner[0], body.normals[face], body.normal_approx[face]}; }
   const RayEdge& edge(int k) const { return body.edges[body.face_edges[face][k]]; }
   /// The corner of face g opposite to edge e.
   Spot apex(int g, const RayEdge& e) const {
@@ -53,7 +55,7 @@ struct Pair {
   std::array<int, 3> f_side{}, g_side{};  // the corners of f against the plane of g, and of g against that of f
 
   int volume(const Spot& a, const Spot& b, const Spot& c, const Spot& d) const { return sign_volume(a, b, c, d, by); }
-  int side(const Placed<Spot>& of, const Spot& p) const { return volume(of.corner[0], of.corner[1], of.corner[2], p); }
+  int side(const Placed<Spot>& of, const Spot& p) const { return sign_side(of.plane(), p, by); }
   int turn(const Spot& a, const Spot& b, const Spot& c, int axis) const { return sign_turn(a, b, c, axis, by); }
 };
 
@@ -191,10 +193,11 @@ template <class Spot, class By>
 bool surely_cross(const RayBody& a, int f, const RayBody& b, int g, const By& by) {
   const Placed<Spot> first(a, f, {}, false), second(b, g, {}, true);
   Pair<Spot, By> pair{first, second, by, {}, {}};
+  const auto surely_both = [](const std::array<int, 3>& s) { return s[0] * s[1] * s[2] != 0 && both_sides(s); };
   for (int k = 0; k < 3; ++k) pair.g_side[k] = pair.side(first, second.corner[k]);
+  if (!surely_both(pair.g_side)) return false;
   for (int k = 0; k < 3; ++k) pair.f_side[k] = pair.side(second, first.corner[k]);
-  const auto known = [](const std::array<int, 3>& s) { return s[0] * s[1] * s[2] != 0; };
-  return known(pair.f_side) && known(pair.g_side) && both_sides(pair.f_side) && both_sides(pair.g_side) && cross(pair);
+  return surely_both(pair.f_side) && cross(pair);
 }
 
 /// B stands at `whole` and, by the signs, `by` beyond.
