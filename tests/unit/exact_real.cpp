@@ -4,6 +4,7 @@
 // Real: degenerate values first, then identities that are exactly 0, near misses, geometry, and which stage decided.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
@@ -78,6 +79,35 @@ TEST(Real, FromDoubleIsExact) {
   }
   EXPECT_THROW(Real::from_double(NAN), Error);
   EXPECT_THROW(Real::from_double(-INFINITY), Error);
+}
+
+TEST(Real, DoublesOfFractionsAreTheNearest) {
+  std::mt19937_64 rng(11);
+  const auto number = [&](int bits) {
+    Real out = 1;
+    for (; bits > 0; bits -= 48) out *= Real(std::int64_t(rng() >> (64 - std::min(bits, 48))) | 1);
+    return out;
+  };
+  for (const int above : {3, 20, 50, 64, 100, 130, 300}) {
+    for (const int below : {2, 20, 50, 63, 64, 100, 300}) {
+      for (int k = 0; k < 10; ++k) {
+        const Real x = number(above) / number(below) * Real(k % 2 == 0 ? 1 : -1);
+        const double d = x.to_double();
+        const Real off = abs(x - Real::from_double(d));
+        for (const double end : {-INFINITY, INFINITY})
+          EXPECT_TRUE(off <= abs(x - Real::from_double(std::nextafter(d, end)))) << above << " " << below;
+      }
+    }
+  }
+  // Half-way between two doubles, and nearly so.
+  const int128 even = int128{1} << 52, much = (int128{1} << 40) + 15;
+  for (const int sign : {-1, 1}) {
+    EXPECT_EQ(Real::ratio(sign * (2 * even + 1), 2).to_double(), sign * 0x1p52);
+    EXPECT_EQ(Real::ratio(sign * (2 * even + 3), 2).to_double(), sign * (0x1p52 + 2));
+    EXPECT_EQ(Real::ratio(sign * ((2 * even + 1) * much + 1), 2 * much).to_double(), sign * (0x1p52 + 1));
+    EXPECT_EQ(Real::ratio(sign * ((2 * even + 1) * much - 1), 2 * much).to_double(), sign * 0x1p52);
+    EXPECT_EQ((Real::ratio(sign * (2 * even + 1), 2) / Real(kBig) / Real(kBig)).to_double(), sign * 0x1p-28);
+  }
 }
 
 TEST(Real, RootsOfSquaresAreRational) {

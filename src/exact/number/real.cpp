@@ -94,6 +94,28 @@ bool same_node(const Real& a, const Real& b) { return Access::node(a) && Access:
 
 int integer_sign(int128 x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 
+/// Rounded once, to the nearest: of the quotient more bits than a double holds, the last one set where there are more.
+double rounded(const Small& x) {
+  const int shift = 127 - bits(x.p);
+  const auto p = static_cast<unsigned __int128>(x.p < 0 ? -x.p : x.p) << shift;
+  const auto q = static_cast<unsigned __int128>(x.q);
+  const unsigned __int128 quotient = p / q;
+  const double size = std::ldexp(static_cast<double>(quotient | (quotient * q != p)), -shift);
+  return x.p < 0 ? -size : size;
+}
+
+double rounded(const mpz_class& p, const mpz_class& q) {
+  constexpr long kBits = 56;  // of the quotient, or one more
+  const auto length = [](const mpz_class& x) { return static_cast<long>(mpz_sizeinbase(x.get_mpz_t(), 2)); };
+  const long shift = kBits + length(q) - length(p);
+  mpz_class scaled, quotient, rest;
+  mpz_mul_2exp(scaled.get_mpz_t(), (shift > 0 ? p : q).get_mpz_t(), static_cast<mp_bitcnt_t>(std::abs(shift)));
+  mpz_tdiv_qr(quotient.get_mpz_t(), rest.get_mpz_t(), (shift > 0 ? scaled : p).get_mpz_t(),
+              (shift > 0 ? q : scaled).get_mpz_t());
+  const long size = std::abs(quotient.get_si()) | (rest != 0);
+  return std::ldexp(static_cast<double>(sgn(p) < 0 ? -size : size), static_cast<int>(-shift));
+}
+
 }  // namespace
 }  // namespace detail
 
@@ -276,7 +298,11 @@ int128 floor(const Real& x) {
 int128 round(const Real& x) { return x.sign() < 0 ? -floor(-x + Real::ratio(1, 2)) : floor(x + Real::ratio(1, 2)); }
 
 double Real::to_double() const {
-  if (!node_ && denominator_ == 1) return static_cast<double>(numerator_);
+  if (!node_) return denominator_ == 1 ? static_cast<double>(numerator_) : rounded(Small{numerator_, denominator_});
+  if (node_->kind == NodeKind::kRational) {
+    const Quadratic& value = detail::closed(*node_);
+    return rounded(value.p, value.q);
+  }
   constexpr int kRelativeBits = 60;  // then rounded once to 53
   return evaluate(*this, kRelativeBits, false).value;
 }
