@@ -20,7 +20,7 @@ FieldSamples::FieldSamples(const space::SurfaceSet& set) : field_(set, {}), abou
   const Vector wide = about_.high - about_.low;
   middle_ = about_.middle();
   half_ = std::max({wide.x, wide.y, wide.z});  // twice as wide as the surface: most places that are asked
-  sample(middle_, root_);
+  sample(middle_, {}, root_);
 }
 
 Interval FieldSamples::beside(const Vector& x) const {
@@ -28,13 +28,14 @@ Interval FieldSamples::beside(const Vector& x) const {
   return {away > 0 ? away : -exact::kInfinity, exact::kInfinity};
 }
 
-Interval FieldSamples::itself(const Vector& x) const {
-  const SurfaceField::Signed at = field_.at(x);
+Interval FieldSamples::itself(const Vector& x, const Interval& known, const Box& box) const {
+  const SurfaceField::Signed at = field_.at(x, known_of(known, box));
   return at.certain ? Interval{at.value, at.value} : Interval{-at.distance, at.distance};
 }
 
-void FieldSamples::sample(const Vector& x, Box& box) const {
-  const SurfaceField::Signed at = field_.at(x);
+void FieldSamples::sample(const Vector& x, const SurfaceField::Known& known, Box& box) const {
+  const SurfaceField::Signed at = field_.at(x, known);
+  box.nearest = at.part;
   box.value = at.value;
   box.certain = at.certain;
 }
@@ -51,7 +52,7 @@ const FieldSamples::Box* FieldSamples::part_of(const Box& whole, const Vector& x
   if (const Box* const known = part.load(std::memory_order_acquire)) return known;
   if (made_.load(std::memory_order_relaxed) >= kMostSamples) return nullptr;
   auto made = std::make_unique<Box>();
-  sample(middle, *made);
+  sample(middle, known_of(around(whole, space::length({half, half, half})), whole), *made);
   Box* expected = nullptr;
   if (!part.compare_exchange_strong(expected, made.get(), std::memory_order_acq_rel)) return expected;
   made_.fetch_add(1, std::memory_order_relaxed);

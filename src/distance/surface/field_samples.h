@@ -40,16 +40,18 @@ class FieldSamples {
       if (enough(known)) return;
       if (!held || half < finest) break;
       half /= 2;
-      box = part_of(*box, x, middle, half);
-      if (box == nullptr) break;
+      const Box* const part = part_of(*box, x, middle, half);
+      if (part == nullptr) break;
+      box = part;
     }
-    enough(itself(x));
+    enough(itself(x, known, *box));
   }
 
  private:
   struct Box {
     double value = 0;      // signed, in the middle
     bool certain = false;  // else its side is not known
+    int nearest = -1;      // part of the surface
     mutable std::array<std::atomic<Box*>, 8> parts{};
     ~Box() {
       for (auto& part : parts) delete part.load();
@@ -66,8 +68,12 @@ class FieldSamples {
   }
   /// By the box about the surface alone.
   exact::Interval beside(const space::Vector& x) const;
-  exact::Interval itself(const space::Vector& x) const;
-  void sample(const space::Vector& x, Box& box) const;
+  /// By what is known, and a box nearby.
+  exact::Interval itself(const space::Vector& x, const exact::Interval& known, const Box& box) const;
+  void sample(const space::Vector& x, const SurfaceField::Known& known, Box& box) const;
+  static SurfaceField::Known known_of(const exact::Interval& value, const Box& box) {
+    return {box.nearest, value.lo > 0 ? 1 : value.hi < 0 ? -1 : 0};
+  }
   /// The one that holds x, whose half is given, and its middle instead of that of the whole; null where it is new and
   /// there are very many.
   const Box* part_of(const Box& whole, const space::Vector& x, space::Vector& middle, double half) const;

@@ -165,7 +165,8 @@ bool none_deeper(const exact::Interval& depth, const Node& node, double than) {
 exact::Interval SurfaceDepths::depth(const Tree& tree, const Node& node, const Vector& position, double than) {
   const Vector x = tree.back ? node.middle - position : space::plus(node.middle, position);
   exact::Interval out;
-  tree.other.ask(x, than, [&](const exact::Interval& at) {
+  // Boxes are kept for later places, distances are not.
+  tree.other.ask(x, than / 2, [&](const exact::Interval& at) {
     out = tree.outward ? at : -at;
     // Or that whatever the depth is, neither of the two is so.
     const bool neither = !(out.hi - node.radius + node.least > than) && out.lo + node.radius + node.most > than;

@@ -59,13 +59,14 @@ std::optional<bool> seen_inside(const Sheet& sheet, const Vector& x) {
   return sum > 0;
 }
 
-/// Of a place that is so far from the surface, by one nearby on the same side.
-std::optional<bool> inside_of(const Sheet& sheet, const Vector& x, double away) {
+/// Of a place that is so far from the surface, by one nearby on the same side, or by what is known where that is clear.
+std::optional<bool> inside_of(const Sheet& sheet, const Vector& x, double away, std::optional<bool> known = {}) {
   const double limit = static_cast<double>(exact::kRayLimit);
   if (!(space::size_of(x) < limit)) return false;
   if (!(away >
         margin::kPlaceNoise * (space::size_of(x) + space::size_of(exact::approx(sheet.body.high - sheet.body.low)))))
     return std::nullopt;
+  if (known) return known;
   const Vector ways[] = {{0, 0, 0}, {0.31, 0.17, 0.09}, {-0.23, 0.29, -0.07}, {0.11, -0.37, 0.13}, {-0.19, -0.13, 0.3}};
   for (const Vector& way : ways) {
     if (const auto found = seen_inside(sheet, space::plus(x, space::scaled(away, way)))) return found;
@@ -151,8 +152,11 @@ space::Extent SurfaceField::box() const {
   return out;
 }
 
-SurfaceField::Signed SurfaceField::at(const Vector& place) const {
+SurfaceField::Signed SurfaceField::at(const Vector& place, const Known& known) const {
   const Vector x = place - by_;
+  // Which one of several holds the place is not known.
+  std::optional<bool> known_inside;
+  if (known.side > 0 || (known.side < 0 && set_.one_sheet())) known_inside = known.side < 0;
   Signed out{exact::kInfinity, exact::kInfinity, true};
   const auto offer = [&](const Signed& next) {
     if (next.value < out.value) out = next;
@@ -161,23 +165,26 @@ SurfaceField::Signed SurfaceField::at(const Vector& place) const {
     const auto& sheet = set_.sheets()[k];
     double least = exact::kInfinity;
     int nearest = -1;
-    boxes_[k].near(x, least, [&](int face) {
+    const auto look = [&](int face) {
       const double d = distance(first_[k] + face, place);
       if (d < least || nearest < 0) {
         least = d;
         nearest = face;
       }
       return true;
-    });
-    const auto side = inside_of(*sheet, x, least);
+    };
+    if (first_[k] <= known.part && known.part < first_[k + 1]) look(known.part - first_[k]);
+    boxes_[k].near(x, least, look);
+    const auto side = inside_of(*sheet, x, least, known_inside);
     const Vector projection = space::plus(space::nearest_place(*sheet, nearest, x), by_);
-    offer({side.value_or(false) ? -least : least, least, side.has_value(), projection});
+    offer({side.value_or(false) ? -least : least, least, side.has_value(), projection, first_[k] + nearest});
   }
+  int part = first_.back();
   for (const auto& ball : set_.balls()) {
     const double d = space::length(x - exact::approx(ball.center)) - ball.radius.to_double();
     const Vector way = x - exact::approx(ball.center);
     const Vector projection = space::plus(place, space::scaled(-d / space::length(way), way));
-    offer({d, std::fabs(d), true, projection});
+    offer({d, std::fabs(d), true, projection, part++});
   }
   return out;
 }

@@ -59,9 +59,16 @@ class SurfaceField {
     double distance = 0;         // from the surface that is nearest
     bool certain = false;        // near the surface the side is not decided; the value counts as outside
     space::Vector projection{};  // the nearest place of the surface
+    int part = -1;               // by number
+  };
+  /// What is known of a place: a part that may be the nearest one, and + outside the set, - inside, by some distance.
+  struct Known {
+    int part = -1;
+    int side = 0;
   };
   /// Inside a union it is not less than the true one; outside it is that.
-  Signed at(const space::Vector& x) const;
+  Signed at(const space::Vector& x, const Known& known) const;
+  Signed at(const space::Vector& x) const { return at(x, {}); }
   /// A triangle or a ball, by number, and the distance from it; of a ball it is signed.
   struct Nearest {
     double distance = exact::kInfinity;
