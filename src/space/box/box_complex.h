@@ -41,7 +41,7 @@ using CellNumbers = std::array<std::vector<int>, 3>;
 
 class BoxComplex {
  public:
-  static constexpr std::size_t kMostCells = std::size_t{1} << 28;
+  static constexpr std::size_t kMostCells = std::size_t{1} << 27;
 
   /// Everywhere `mark`.
   explicit BoxComplex(Axes at = {}, Mark mark = 0);
