@@ -112,7 +112,7 @@ void InstantSearch::add(Gap gap) {
   gap.low = low_between(gap);
   keep_better(gap.a);
   keep_better(gap.b);
-  gaps_.push(std::move(gap));
+  gaps_.push(gap);
 }
 
 std::pair<double, double> InstantSearch::beside_best() const {
