@@ -116,11 +116,20 @@ TEST(Geometry, CrossingsOfMovedCurvesAreComparedAsTheirCoordinates) {
         const auto slant = g.add(SupportingCurve::displaced_line(2, -3, 2 * x - 3 * y, w));
         const auto ring = g.add(SupportingCurve::circle_at(x, y, w)),
                    right = g.add(SupportingCurve::circle_at(x + 4, y, w)),
-                   above = g.add(SupportingCurve::circle_at(x, y + 4, w)), line = g.add_line(1, 1, x + y + 1);
+                   above = g.add(SupportingCurve::circle_at(x, y + 4, w)), line = g.add_line(1, 1, x + y + 1),
+                   upright = g.add_line(1, 0, x + 2), mirrored = g.add_line(1, 0, x - 2),
+                   flat = g.add_line(0, 1, y + 2);
         for (const auto& [i, k] : {std::pair{steep, level}, {level, slant}, {steep, slant}})
           points.push_back(g.add_crossing(i, k, 0));
         for (const int way : {-1, 1})
-          for (const auto& [i, k] : {std::pair{ring, right}, {ring, above}, {right, above}, {line, ring}})
+          for (const auto& [i, k] : {std::pair{ring, right},
+                                     {ring, above},
+                                     {right, above},
+                                     {line, ring},
+                                     {upright, ring},
+                                     {mirrored, ring},
+                                     {flat, ring},
+                                     {flat, right}})
             points.push_back(g.add_crossing(i, k, way));
       }
   for (const std::uint32_t p : points)

@@ -79,10 +79,19 @@ void set_approx(Point& p, const ApproxPoint& at) {
 /// Both coordinates, or one alone: that costs less, and along an axis no root.
 enum class Wanted : std::uint8_t { kBoth, kX, kY };
 
+/// Of two curves, an upright line, or a level one: its offset is the one x, or y, of its points.
+const SupportingCurve* line_across(const SupportingCurve& s, const SupportingCurve& t, bool upright) {
+  for (const SupportingCurve* k : {&s, &t})
+    if (!k->circle && (upright ? k->b == 0 : k->a == 0)) return k;
+  return nullptr;
+}
+
 RealPoint exact_crossing(const Geometry& g, const Point& p, Wanted wanted = Wanted::kBoth) {
   const bool with_x = wanted != Wanted::kY, with_y = wanted != Wanted::kX;
   const SupportingCurve* s = &g.supporting_curves[p.i];
   const SupportingCurve* t = &g.supporting_curves[p.j];
+  if (wanted != Wanted::kBoth)
+    if (const SupportingCurve* line = line_across(*s, *t, with_x)) return {line->offset(), line->offset()};
   if (s->circle && !t->circle) std::swap(s, t);
   if (!t->circle) {
     Real det(cross(*s, *t)), c1 = s->offset(), c2 = t->offset();

@@ -110,6 +110,66 @@ std::optional<int> compare_moved(const Geometry& g, const Point& p, const Point&
   return p.root == swapped ? order_if_moved(s, t, v, u, x_axis) : std::nullopt;
 }
 
+/// A circle about a grid point, and that of the coordinates.
+struct Center {
+  int128 along, across;
+};
+Center center(const SupportingCurve& circle, bool x_axis) {
+  return x_axis ? Center{circle.a, circle.b} : Center{circle.b, circle.a};
+}
+
+/// The order of the crossings of circles of one radius, where the ways between their centres are the same but for
+/// signs: the crossings then lie as far from the middle of the way, to one side.
+std::optional<int> order_if_circles_mirrored(const SupportingCurve& s, const SupportingCurve& t, int p_root,
+                                             const SupportingCurve& u, const SupportingCurve& v, int q_root,
+                                             bool x_axis) {
+  if (!is_moved(s, t) || !is_moved(s, u) || !is_moved(s, v)) return std::nullopt;
+  const Center a = center(s, x_axis), b = center(t, x_axis), c = center(u, x_axis), d = center(v, x_axis);
+  const auto as_far = [](int128 k, int128 l) { return k == l || k == -l; };
+  const int128 p_across = b.across - a.across, q_across = d.across - c.across;
+  if (!as_far(b.along - a.along, d.along - c.along) || !as_far(p_across, q_across)) return std::nullopt;
+  if (p_root * sign_of(p_across) != q_root * sign_of(q_across)) return std::nullopt;
+  return sign_of((a.along + b.along) - (c.along + d.along));
+}
+
+/// The order along grid lines parallel to the axis of their crossings with circles of one radius, where the lines pass
+/// the centres as near.
+std::optional<int> order_if_lines_mirrored(const SupportingCurve& line, const SupportingCurve& s, int p_root,
+                                           const SupportingCurve& other, const SupportingCurve& t, int q_root,
+                                           bool x_axis) {
+  const auto is_along = [&](const SupportingCurve& k) { return k.grid && (x_axis ? k.a : k.b) == 0; };
+  if (!is_along(line) || !is_along(other) || !is_moved(s, t) || p_root != q_root) return std::nullopt;
+  const Center a = center(s, x_axis), b = center(t, x_axis);
+  const int128 p_height = a.across - line.c, q_height = b.across - other.c;
+  if (p_height != q_height && p_height != -q_height) return std::nullopt;
+  return sign_of(a.along - b.along);
+}
+
+/// Twice a coordinate where that is an integer seen at once: of grid points, of points on a grid line across the axis,
+/// and of the points of two equal circles halfway between their centres.
+std::optional<int128> doubled(const Geometry& g, const Point& p, bool x_axis) {
+  if (p.kind == Point::Kind::kGrid) return 2 * int128(x_axis ? p.gx : p.gy);
+  if (p.kind == Point::Kind::kReal) return std::nullopt;
+  const SupportingCurve &s = g.supporting_curves[p.i], &t = g.supporting_curves[p.j];
+  for (const SupportingCurve* k : {&s, &t})
+    if (!k->circle && k->grid && (x_axis ? k->b : k->a) == 0) return 2 * k->c;
+  if (!s.circle || !s.grid || !is_moved(s, t)) return std::nullopt;
+  const Center a = center(s, x_axis), b = center(t, x_axis);
+  return p.root == 0 || a.across == b.across ? std::optional(a.along + b.along) : std::nullopt;
+}
+
+/// The order of two crossings with circles of which one is the other moved and mirrored, as about boxes.
+std::optional<int> compare_mirrored(const Geometry& g, const Point& p, const Point& q, bool x_axis) {
+  if (p.kind != Point::Kind::kCross || q.kind != Point::Kind::kCross) return std::nullopt;
+  const auto *s = &g.supporting_curves[p.i], *t = &g.supporting_curves[p.j];
+  const auto *u = &g.supporting_curves[q.i], *v = &g.supporting_curves[q.j];
+  if (s->circle && !t->circle) std::swap(s, t);
+  if (u->circle && !v->circle) std::swap(u, v);
+  if (s->circle != u->circle || !t->circle || !v->circle || !t->grid || !v->grid) return std::nullopt;
+  return s->circle ? order_if_circles_mirrored(*s, *t, p.root, *u, *v, q.root, x_axis)
+                   : order_if_lines_mirrored(*s, *t, p.root, *u, *v, q.root, x_axis);
+}
+
 std::array<Approx, 2> tangent(const Geometry& g, std::uint32_t p, Heading h) {
   const SupportingCurve& k = g.supporting_curves[h.supporting_curve];
   Approx dx = k.y(), dy = -k.x();
@@ -144,6 +204,9 @@ int staged_compare(const Geometry& g, std::uint32_t p, std::uint32_t q, bool x_a
   if (p == q || same_definition(s, t)) return 0;
   if (is_fixed(g, s) && is_fixed(g, t)) return fixed_compare(g, s, t, x_axis);
   if (const auto order = compare_moved(g, s, t, x_axis)) return *order;
+  if (const auto order = compare_mirrored(g, s, t, x_axis)) return *order;
+  if (const auto a = doubled(g, s, x_axis))
+    if (const auto b = doubled(g, t, x_axis)) return sign_of(*a - *b);
   return compare(exact_coordinate(g, s, x_axis), exact_coordinate(g, t, x_axis));
 }
 
