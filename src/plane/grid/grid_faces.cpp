@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <string>
 
+#include "exact/planar/grid_coordinates.h"
+
 namespace findspace::plane {
 namespace {
 
@@ -58,13 +60,14 @@ class Walk {
   void set(GridCorner& g, Index h) {
     const Edge& e = edges_[h / 2];
     const exact::SupportingCurve& k = curves_[e.supporting_curve];
-    const exact::Point& p = points_[vertices_[h & 1u ? e.v1 : e.v0].point];
-    on_grid_ &= e.half == 0 && k.grid && p.kind == exact::Point::Kind::kGrid;
+    const auto p = grid_coordinates(c_.geometry, points_[vertices_[h & 1u ? e.v1 : e.v0].point]);
+    on_grid_ &= e.half == 0 && k.grid && p.has_value();
+    if (!on_grid_) return;
     // To the right along a*x + b*y = c: (b, -a) or its opposite.
     const bool flipped = ((k.b > 0) == bool(h & 1u)) != mirrored_;
     g.dx = flipped ? -k.b : k.b;
     g.dy = flipped ? k.a : -k.a;
-    g.at = mirrored_ ? GridPoint{-p.gx, -p.gy} : GridPoint{p.gx, p.gy};
+    g.at = mirrored_ ? GridPoint{-p->x, -p->y} : GridPoint{p->x, p->y};
     g.supporting_curve = e.supporting_curve;
   }
 
