@@ -21,6 +21,12 @@ bool one_ring(const GridFace& face) { return face.corners.back().next == 0; }
 
 bool has_holes(const GridFace& face) { return face.unbounded ? !face.corners.empty() : !one_ring(face); }
 
+bool is_box(const GridFace& face) {
+  return face.corners.size() == 4 && std::all_of(face.corners.begin(), face.corners.end(), [](const GridCorner& c) {
+           return c.turn > 0 && (c.dx == 0 || c.dy == 0);
+         });
+}
+
 constexpr std::size_t kEntriesPerFace = 2;
 constexpr std::size_t kManyPairs = 10'000;  // of corners, from which on corners are tried before curves are counted
 constexpr std::size_t kCornerStep = 7;      // of them one of so many is tried; teeth repeat by even numbers
@@ -235,10 +241,29 @@ std::size_t ConvolutionIndex::convex_count() const {
 bool ConvolutionIndex::holds(Geometry& g, Index point, bool& unresolved) const {
   const exact::Point q = g.points[point];
   for (Index k : pairs_meeting({q.x - q.error, q.y - q.error, q.x + q.error, q.y + q.error})) {
+    const std::optional<bool> in_box = holds_as_box(g, point, k);
+    if (in_box.value_or(false)) return true;
+    if (in_box) continue;
     if (holds_by_a_corner(q, k) || number(g, point, k) != 0) return true;
     unresolved |= may_enclose(k);
   }
   return false;
+}
+
+std::optional<bool> ConvolutionIndex::holds_as_box(Geometry& g, Index point, Index pair) const {
+  if (!is_box(face_of(pair, 0)) || !is_box(face_of(pair, 1))) return std::nullopt;
+  const GridBox a = box_of({&face_of(pair, 0), 1}), b = box_of({&face_of(pair, 1), 1});
+  const GridPoint low{a.x0 + b.x0, a.y0 + b.y0}, high{a.x1 + b.x1, a.y1 + b.y1};
+  const exact::Point q = g.points[point];
+  const double e = q.error;
+  if (q.x - e > double(low.x) && q.x + e < double(high.x) && q.y - e > double(low.y) && q.y + e < double(high.y))
+    return true;
+  const auto beyond = [&](GridPoint corner, int way) {
+    return compare_grid(g, corner, [&](Index i) {
+             return way * compare_x(g, point, i) > 0 && way * compare_y(g, point, i) > 0 ? 1 : 0;
+           }) != 0;
+  };
+  return beyond(low, 1) && beyond(high, -1);
 }
 
 bool ConvolutionIndex::holds_by_a_corner(const exact::Point& q, Index pair) const {

@@ -98,6 +98,8 @@ class ConvolutionIndex {
     std::array<std::vector<EdgeFan::Sweep>, 2> sweep;
   };
 
+  /// Of two boxes, whose sum is one: whether the point lies inside; nothing for other faces.
+  std::optional<bool> holds_as_box(exact::Geometry& g, Index point, Index pair) const;
   /// Pairs count by face of A, then of B.
   Index pair_count() const { return Index(pairs_.size()); }
   Index face_number(Index pair, int s) const {
