@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "exact/margins/rounding.h"
 #include "plane/base/parallel.h"
 
 namespace findspace::plane {
@@ -15,12 +16,15 @@ namespace {
 constexpr int kLines = 24;                       // vertical lines tried
 constexpr double kBudget = 2e6;                  // distances computed for one face, about
 constexpr std::size_t kManyDistances = 1 << 16;  // from here on in several threads
+constexpr std::size_t kFewCurves = 64;           // so many are kept
 constexpr double kEmptyFrame = 1000;             // half width of the frame where there is nothing to go by
 
-double distance_to_segment(double px, double py, double x0, double y0, double x1, double y1) {
-  double dx = x1 - x0, dy = y1 - y0, l2 = dx * dx + dy * dy;
-  double t = l2 > 0 ? std::clamp(((px - x0) * dx + (py - y0) * dy) / l2, 0.0, 1.0) : 0;
-  return std::hypot(px - x0 - t * dx, py - y0 - t * dy);
+/// From the point of a segment that is nearest to (px, py) to that.
+template <class Segment>
+std::array<double, 2> way_from_segment(double px, double py, const Segment& s) {
+  double dx = s.x1 - s.x0, dy = s.y1 - s.y0, l2 = dx * dx + dy * dy;
+  double t = l2 > 0 ? std::clamp(((px - s.x0) * dx + (py - s.y0) * dy) / l2, 0.0, 1.0) : 0;
+  return {px - s.x0 - t * dx, py - s.y0 - t * dy};
 }
 
 }  // namespace
@@ -29,11 +33,19 @@ FaceOutline::FaceOutline(const CellComplex& c, const CellMeasures& measures, Ind
                          std::span<const Index> half_edges)
     : c_(c), measures_(measures), face_(face), half_edges_(half_edges) {
   for (Index v : c.faces[face].isolated) points_.push_back({measures.x(v).hi, measures.y(v).hi});
+  if (half_edges.size() <= kFewCurves) {
+    std::vector<Curve> few;
+    few.reserve(half_edges.size());
+    each_curve([&](const Curve& k) { few.push_back(k); });
+    few_ = std::move(few);
+  }
   set_frame();
 }
 
 template <class F>
 void FaceOutline::each_curve(F&& f) const {
+  for (const Curve& k : few_) f(k);
+  if (!few_.empty()) return;
   for (Index h : half_edges_)
     if (!(h & 1u) || c_.face(h ^ 1u) != face_) f(curve(h / 2));
 }
@@ -89,15 +101,33 @@ void FaceOutline::set_frame() {
 }
 
 double FaceOutline::distance(const Curve& k, double x, double y) {
-  if (k.r < 0) return distance_to_segment(x, y, k.x0, k.y0, k.x1, k.y1);
+  if (k.r < 0) {
+    const auto [dx, dy] = way_from_segment(x, y, k);
+    return std::hypot(dx, dy);
+  }
   const double dx = x - k.cx, dy = y - k.cy, length = std::hypot(dx, dy), projection = k.cx + dx / length * k.r;
   const bool on_arc = projection >= k.x0 && projection <= k.x1 && dy * k.half >= 0;
   return on_arc ? std::abs(length - k.r) : std::min(std::hypot(x - k.x0, y - k.y0), std::hypot(x - k.x1, y - k.y1));
 }
 
-double FaceOutline::clearance(double x, double y) const {
+bool FaceOutline::is_farther(const Curve& k, double x, double y, double than) {
+  if (than < 0) return true;
+  if (k.r < 0) {
+    const auto [dx, dy] = way_from_segment(x, y, k);
+    return dx * dx + dy * dy > than * than * (1 + margin::kRoundings8);
+  }
+  // Its ends lie on the circle as well.
+  const double dx = x - k.cx, dy = y - k.cy, square = dx * dx + dy * dy, far = k.r + than, near = k.r - than;
+  return square > far * far * (1 + margin::kRoundings8) ||
+         (near > 0 && square < near * near * (1 - margin::kRoundings8));
+}
+
+double FaceOutline::clearance(double x, double y, double enough) const {
   double least = std::min({x - x0_, x1_ - x, y - y0_, y1_ - y});
-  each_curve([&](const Curve& k) { least = std::min(least, distance(k, x, y)); });
+  const auto see = [&](const Curve& k) {
+    if (least > enough && !is_farther(k, x, y, least)) least = std::min(least, distance(k, x, y));
+  };
+  each_curve(see);
   for (const auto& p : points_) least = std::min(least, std::hypot(x - p[0], y - p[1]));
   return least;
 }
@@ -132,7 +162,7 @@ FaceOutline::Spot FaceOutline::climb(Spot best, int steps) const {
     Spot next = best;
     for (const auto& way : kWays) {
       Spot s{best.x + way[0] * step / 2, best.y + way[1] * step / 2, 0};
-      s.clearance = clearance(s.x, s.y);
+      s.clearance = clearance(s.x, s.y, next.clearance);
       if (s.clearance > next.clearance) next = s;
     }
     steps -= int(kWays.size());

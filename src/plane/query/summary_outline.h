@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The boundary of one face in doubles, for choosing a good place in it. Nothing here is relied on: what is chosen is
-// proved with exact predicates afterwards. Cost: nothing is kept of the curves, they are made anew each time.
+// proved with exact predicates afterwards. Cost: the curves of a face are kept where they are few, else made anew each
+// time.
 #pragma once
 
 #include <span>
@@ -23,7 +24,6 @@ class FaceOutline {
 
   /// The place with the most clearance among those looked at.
   Spot clearest() const;
-  double clearance(double x, double y) const;
 
  private:
   struct Curve {
@@ -41,6 +41,10 @@ class FaceOutline {
   void each_curve(F&& f) const;
   Curve curve(Index edge) const;
   static double distance(const Curve& k, double x, double y);
+  /// Whether the distance is certainly greater than `than`; no root is taken.
+  static bool is_farther(const Curve& k, double x, double y, double than);
+  /// Or some number not above `enough`, where it is not above that.
+  double clearance(double x, double y, double enough = -1) const;
   void set_frame();
   Spot widest_gap(double x) const;
   Spot climb(Spot from, int steps) const;
@@ -50,6 +54,7 @@ class FaceOutline {
   Index face_;
   std::span<const Index> half_edges_;
   std::size_t curve_count_ = 0;
+  std::vector<Curve> few_;                     // all curves, where they are few
   std::vector<std::array<double, 2>> points_;  // isolated vertices
   double x0_ = 0, x1_ = 0, y0_ = 0, y1_ = 0;   // where to look
 };
