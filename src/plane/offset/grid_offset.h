@@ -8,6 +8,7 @@
 // Keywords: offset curve, buffer, trimmed parallel curve.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "plane/complex/ring_map.h"
@@ -16,10 +17,10 @@ namespace findspace::plane {
 
 /// -1 where less than r away from the closure of the cells that are wanted, 0 on the boundary of that, +1 elsewhere; or
 /// other marks.
-/// Nothing where the set is not bounded by grid segments alone, has faces on both sides of an edge or straight corners,
-/// or where curves touch, overlap or meet three at a point of the boundary, as they do about slots of exact width and
-/// single points.
+/// Nothing where the set is not bounded by grid segments alone, or has faces on both sides of an edge or straight
+/// corners.
+/// `drop`: is called when the set is not read again, and then the offset is made.
 std::optional<SignMap> grid_offset(const CellComplex& set, bool (*wanted)(Mark), const exact::Real& radius,
-                                   RingMarks marks = kOpenSetSigns);
+                                   RingMarks marks = kOpenSetSigns, const std::function<void()>& drop = {});
 
 }  // namespace findspace::plane

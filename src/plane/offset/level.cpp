@@ -25,10 +25,13 @@ SignMap disc_contact(Closed&& closed, const exact::Real& radius) {
 }
 
 /// Of a part, or of a set that is not made in parts.
-template <class Closed>
-SignMap distance_at_once(Closed&& closed, const exact::Real& radius) {
+SignMap distance_at_once(const Region& closed, const exact::Real& radius) {
   if (auto map = grid_offset(closed, is_in, radius)) return *std::move(map);
-  return disc_contact(std::forward<Closed>(closed), radius);
+  return disc_contact(closed, radius);
+}
+SignMap distance_at_once(Region&& closed, const exact::Real& radius) {
+  if (auto map = grid_offset(closed, is_in, radius, kOpenSetSigns, [&] { closed = {}; })) return *std::move(map);
+  return disc_contact(std::move(closed), radius);
 }
 
 /// The base is copied where it is kept.

@@ -64,6 +64,8 @@ class Builder {
         made.circle = exact::add_circle(g_, c.at.x, c.at.y, outwards_);
       if (!(covering && edges.covers_displaced(k))) made.line = add_line(c);
     }
+    edges.end_covering();
+    if (!radius.integer()) g_.reals.reserve(level_touches());
   }
 
   OffsetCurves run() {
@@ -94,6 +96,14 @@ class Builder {
   };
 
   const exact::Displacement& shift(const GridCorner& edge) const { return normal_right(edge) ? outwards_ : inwards_; }
+
+  /// Where arcs touch level or upright edges.
+  std::size_t level_touches() const {
+    std::size_t count = 0;
+    for (Index k = 0; k < corners_.size(); ++k)
+      if (made_[k].circle != kNone) count += is_level(corners_[k]) + is_level(corners_[corners_[k].before]);
+    return count;
+  }
 
   Index add_line(const GridCorner& c) {
     return exact::add_displaced(g_, source_.supporting_curves[c.supporting_curve], shift(c));

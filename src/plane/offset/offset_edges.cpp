@@ -3,10 +3,13 @@
 
 #include "plane/offset/offset_edges.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "exact/margins/plane.h"
+#include "plane/base/release.h"
 
 namespace findspace::plane {
 namespace {
@@ -17,6 +20,8 @@ constexpr int kHalvings = 5;
 constexpr int kFewQuestions = 8;
 /// Edges before and after its own that are tried first.
 constexpr Index kBeside = 4;
+/// Of a ring with up to so many corners, all curves are near to the same edges.
+constexpr Index kShortRing = 8;
 
 PieceBox edge_box(std::span<const GridCorner> corners, const GridCorner& c) {
   const GridPoint p = c.at, q = corners[c.next].at;
@@ -37,23 +42,59 @@ std::vector<PieceBox> boxes_of(std::span<const GridCorner> corners) {
   return boxes;
 }
 
+/// Two numbers below 2^16, their bits in turn.
+std::uint32_t interleaved(std::uint32_t x, std::uint32_t y) {
+  const auto spread = [](std::uint32_t v) {
+    v = (v | v << 8) & 0x00ff00ffu;
+    v = (v | v << 4) & 0x0f0f0f0fu;
+    v = (v | v << 2) & 0x33333333u;
+    return (v | v << 1) & 0x55555555u;
+  };
+  return spread(x) | spread(y) << 1;
+}
+
+/// Faces by number, in the order of their first corners along a Z-curve; few stay as they are.
+std::vector<Index> near_order(const GridFaces& faces) {
+  constexpr std::size_t kFew = 8;
+  std::vector<Index> order(faces.size());
+  std::iota(order.begin(), order.end(), Index(0));
+  if (faces.size() <= kFew) return order;
+  PieceBox all{exact::kInfinity, exact::kInfinity, -exact::kInfinity, -exact::kInfinity};
+  const auto at = [&](Index k) {
+    const GridPoint p = faces[k].corners.empty() ? GridPoint{0, 0} : faces[k].corners[0].at;
+    return PieceBox{double(p.x), double(p.y), double(p.x), double(p.y)};
+  };
+  for (const Index k : order) all = joined(all, at(k));
+  constexpr double kCells = 65535;
+  const double columns = kCells / std::max(1.0, all.x1 - all.x0), rows = kCells / std::max(1.0, all.y1 - all.y0);
+  std::vector<std::uint32_t> place(faces.size());
+  for (const Index k : order) {
+    const PieceBox p = at(k);
+    place[k] = interleaved(std::uint32_t((p.x0 - all.x0) * columns), std::uint32_t((p.y0 - all.y0) * rows));
+  }
+  std::stable_sort(order.begin(), order.end(), [&](Index k, Index l) { return place[k] < place[l]; });
+  return order;
+}
+
 PieceBox grown(const PieceBox& b, double by) { return {b.x0 - by, b.y0 - by, b.x1 + by, b.y1 + by}; }
 
 }  // namespace
 
 GridCorners all_corners(GridFaces faces) {
   GridCorners all;
-  for (GridFace& f : faces) {
+  if (faces.size() == 1) all = std::move(faces[0].corners);
+  if (faces.size() < 2) return all;
+  std::size_t count = 0;
+  for (const GridFace& f : faces) count += f.corners.size();
+  all.reserve(count);
+  for (const Index k : near_order(faces)) {
     const Index base = Index(all.size());
-    if (base == 0) {
-      all = std::move(f.corners);
-      continue;
-    }
-    for (GridCorner c : f.corners) {
+    for (GridCorner c : faces[k].corners) {
       c.next += base;
       c.before += base;
       all.push_back(c);
     }
+    release(faces[k].corners);
   }
   return all;
 }
@@ -61,9 +102,13 @@ GridCorners all_corners(GridFaces faces) {
 OffsetEdges::OffsetEdges(std::span<const GridCorner> corners, const exact::Real& radius)
     : corners_(corners), radius_(radius), r_(radius.to_double()) {}
 
+void OffsetEdges::prepare_boxes() {
+  if (!boxes_) boxes_.emplace(boxes_of(corners_));
+}
+
 void OffsetEdges::prepare() {
-  if (boxes_) return;
-  boxes_.emplace(boxes_of(corners_));
+  if (!edges_.empty()) return;
+  prepare_boxes();
   double largest = 0;
   edges_.reserve(corners_.size());
   for (const GridCorner& c : corners_) {
@@ -74,6 +119,11 @@ void OffsetEdges::prepare() {
     edges_.push_back({from, way, {way.y / length, -way.x / length}, 1 / dot(way, way)});
   }
   certain_ = r_ - (largest + r_) * margin::kCertainlyFarther;
+}
+
+void OffsetEdges::end_covering() {
+  release(edges_);
+  release(near_);
 }
 
 bool OffsetEdges::holds(const exact::Geometry& g, Index point, std::span<const Index> own) {
@@ -91,7 +141,7 @@ bool OffsetEdges::holds(const exact::Geometry& g, Index point, std::span<const I
       if (edge_meets(corners_[k].at, corners_[corners_[k].next].at, around) && is_near(k)) return true;
     return false;
   }
-  prepare();
+  prepare_boxes();
   return boxes_->any_meeting(around, is_near);
 }
 
@@ -127,7 +177,27 @@ bool OffsetEdges::covered(const Part& p, const Vector* center, std::span<const I
          covered(part(m, p.to, center), center, by, halvings - 1);
 }
 
-bool OffsetEdges::covered(const Part& p, const Vector* center, Index k) const {
+/// Of one that starts with corner k; else one corner is taken.
+Index OffsetEdges::end_of_short_ring(Index k) const {
+  Index end = k + 1;
+  while (corners_[end - 1].next == end && end - k < kShortRing) ++end;
+  return corners_[end - 1].next == k ? end : k + 1;
+}
+
+void OffsetEdges::find_near(Index k) {
+  if (near_first_ <= k && k < near_end_) return;
+  near_first_ = k;
+  near_end_ = end_of_short_ring(k);
+  PieceBox box = edge_box(corners_, corners_[k]);
+  for (Index i = k + 1; i < near_end_; ++i) box = joined(box, edge_box(corners_, corners_[i]));
+  near_.clear();
+  boxes_->any_meeting(grown(box, 2 * r_), [&](Index e) {
+    near_.push_back(e);
+    return false;
+  });
+}
+
+bool OffsetEdges::covered(const Part& p, const Vector* center, Index k) {
   if (!(certain_ > 0)) return false;
   std::array<Index, 2 * kBeside> beside;
   Index n = 0;
@@ -137,16 +207,15 @@ bool OffsetEdges::covered(const Part& p, const Vector* center, Index k) const {
     before = corners_[before].before;
     after = corners_[after].next;
   }
-  if (covered(p, center, beside, kHalvings)) return true;
-  PieceBox box{std::min({p.from.x, p.top.x, p.to.x}), std::min({p.from.y, p.top.y, p.to.y}),
-               std::max({p.from.x, p.top.x, p.to.x}), std::max({p.from.y, p.top.y, p.to.y})};
-  if (center) box = grown({center->x, center->y, center->x, center->y}, r_);
-  std::vector<Index> near_by;
-  boxes_->any_meeting(grown(box, r_), [&](Index e) {
-    near_by.push_back(e);
-    return false;
-  });
-  return covered(p, center, near_by, kHalvings);
+  if (!in_short_ring(k) && covered(p, center, beside, kHalvings)) return true;
+  find_near(k);
+  const PieceBox reach = grown({std::min({p.from.x, p.top.x, p.to.x}), std::min({p.from.y, p.top.y, p.to.y}),
+                                std::max({p.from.x, p.top.x, p.to.x}), std::max({p.from.y, p.top.y, p.to.y})},
+                               r_);
+  nearest_.clear();
+  for (const Index e : near_)
+    if (edge_box(corners_, corners_[e]).meets(reach)) nearest_.push_back(e);
+  return covered(p, center, nearest_, kHalvings);
 }
 
 bool OffsetEdges::covers_displaced(Index k) {

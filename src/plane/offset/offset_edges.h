@@ -19,7 +19,8 @@
 
 namespace findspace::plane {
 
-/// The corners of all faces in one list, with `next` and `before` as places in it.
+/// The corners of all faces in one list, with `next` and `before` as places in it. Many faces are ordered along a curve
+/// that fills the plane, so that what is near in the plane mostly is near in the list.
 GridCorners all_corners(GridFaces faces);
 
 class OffsetEdges {
@@ -36,6 +37,8 @@ class OffsetEdges {
   bool covers_displaced(Index k);
   /// The arc of radius r about convex corner k, between the normals of its edges, lies in D.
   bool covers_arc(Index k);
+  /// Gives back what only `covers_*` reads.
+  void end_covering();
 
  private:
   struct Vector {
@@ -59,14 +62,23 @@ class OffsetEdges {
   Vector middle(const Part& p, const Vector* center) const;
   Part part(Vector from, Vector to, const Vector* center) const;
   bool covered(const Part& p, const Vector* center, std::span<const Index> by, int halvings) const;
-  bool covered(const Part& p, const Vector* center, Index k) const;
+  bool covered(const Part& p, const Vector* center, Index k);
+  Index end_of_short_ring(Index k) const;
+  bool in_short_ring(Index k) const {
+    return near_first_ <= k && k < near_end_ ? near_end_ - near_first_ > 1 : end_of_short_ring(k) > k + 1;
+  }
+  /// Finds those that the curves made of a corner and its edge may be near to, or those of a short ring.
+  void find_near(Index k);
   void prepare();
+  void prepare_boxes();
 
   std::span<const GridCorner> corners_;
   const exact::Real& radius_;
   double r_;
   double certain_ = 0;  // a little less than r
   std::vector<Edge> edges_;
+  std::vector<Index> near_, nearest_;    // to the curves of some corners, and to one of these
+  Index near_first_ = 0, near_end_ = 0;  // these corners
   std::optional<SequenceBoxes> boxes_;
   int asked_ = 0;  // before there were boxes
 };

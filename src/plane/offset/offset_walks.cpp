@@ -13,9 +13,10 @@ namespace {
 
 class Walker {
  public:
-  Walker(const OffsetCurves& curves, const OffsetMeetings& meetings)
-      : c_(curves), m_(meetings), walked_(meetings.part_count(), false) {
+  Walker(const OffsetCurves& curves, const OffsetMeetings& meetings, const OffsetTies& ties)
+      : c_(curves), m_(meetings), ties_(ties), walked_(meetings.part_count(), false) {
     to_.edges.resize(meetings.part_count());
+    for (const OffsetPart& p : ties.not_reached) walked_[m_.part(p.piece, p.slot)] = true;
   }
 
   OffsetWalks run() && {
@@ -30,14 +31,11 @@ class Walker {
   }
 
  private:
-  struct Part {
-    Index piece, slot;
-  };
-
   /// Keeps the walk from a part, if it is closed and new.
-  void walk(Part from) {
-    Part at = from;
+  void walk(OffsetPart from) {
+    OffsetPart at = from;
     Index before, size = size_;
+    tied_ = false;
     do {
       char& walked = walked_[m_.part(at.piece, at.slot)];
       if (walked) return;
@@ -46,11 +44,11 @@ class Walker {
       before = at.piece;
       if (!advance(at)) return;
     } while (at.piece != from.piece || at.slot != from.slot);
-    to_.rings.push_back({size_, {from.piece, before}});
+    to_.rings.push_back({size_, {from.piece, before}, tied_});
     size_ = size;
   }
 
-  void set_edge(RingEdge& e, Part at) const {
+  void set_edge(RingEdge& e, OffsetPart at) const {
     const Piece& piece = c_.pieces[at.piece];
     e.point = at.slot == 0 ? c_.start(at.piece) : m_.stop(at.piece, at.slot - 1).point;
     e.supporting_curve = piece.supporting_curve;
@@ -59,28 +57,35 @@ class Walker {
   }
 
   /// To the part that follows; false where the walk would pass into D.
-  bool advance(Part& at) const {
-    if (at.slot < m_.stop_count(at.piece)) {
+  bool advance(OffsetPart& at) {
+    const bool ends = at.slot == m_.stop_count(at.piece);
+    const Index tie = m_.tie_at(ends ? c_.end(at.piece) : m_.stop(at.piece, at.slot).point);
+    if (tie != kNone) {
+      tied_ = true;
+      at = ties_.after(tie, at);
+    } else if (ends) {
+      at = {c_.origins[at.piece].next, 0};
+    } else {
       const OffsetMeetings::Stop& stop = m_.stop(at.piece, at.slot);
       if (turn(c_.geometry, stop.point, c_.heading(at.piece), c_.heading(stop.other)) > 0) return false;
       at = {stop.other, stop.twin + 1};
-      return true;
     }
-    at = {c_.origins[at.piece].next, 0};
     return at.piece != kNone;
   }
 
   const OffsetCurves& c_;
   const OffsetMeetings& m_;
+  const OffsetTies& ties_;
   std::vector<char> walked_;  // of each part
   OffsetWalks to_;
-  Index size_ = 0;  // edges that are kept
+  Index size_ = 0;     // edges that are kept
+  bool tied_ = false;  // the walk that is made has passed a tie
 };
 
 }  // namespace
 
-OffsetWalks offset_walks(const OffsetCurves& curves, const OffsetMeetings& meetings) {
-  return Walker(curves, meetings).run();
+OffsetWalks offset_walks(const OffsetCurves& curves, const OffsetMeetings& meetings, const OffsetTies& ties) {
+  return Walker(curves, meetings, ties).run();
 }
 
 }  // namespace findspace::plane
