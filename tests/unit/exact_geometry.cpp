@@ -118,9 +118,11 @@ TEST(Geometry, CrossingsOfMovedCurvesAreComparedAsTheirCoordinates) {
                    right = g.add(SupportingCurve::circle_at(x + 4, y, w)),
                    above = g.add(SupportingCurve::circle_at(x, y + 4, w)), line = g.add_line(1, 1, x + y + 1),
                    upright = g.add_line(1, 0, x + 2), mirrored = g.add_line(1, 0, x - 2),
-                   flat = g.add_line(0, 1, y + 2);
+                   beside = g.add_line(0, 1, y + 7), flat = g.add_line(0, 1, y + 2);
         for (const auto& [i, k] : {std::pair{steep, level}, {level, slant}, {steep, slant}})
           points.push_back(g.add_crossing(i, k, 0));
+        const auto large = g.add(SupportingCurve::circle_at(x, y, Real(7)));
+        points.push_back(g.add_crossing(beside, large, 0));
         for (const int way : {-1, 1})
           for (const auto& [i, k] : {std::pair{ring, right},
                                      {ring, above},

@@ -132,27 +132,46 @@ std::optional<int> order_if_circles_mirrored(const SupportingCurve& s, const Sup
   return sign_of((a.along + b.along) - (c.along + d.along));
 }
 
-/// The order along grid lines parallel to the axis of their crossings with circles of one radius, where the lines pass
-/// the centres as near.
-std::optional<int> order_if_lines_mirrored(const SupportingCurve& line, const SupportingCurve& s, int p_root,
-                                           const SupportingCurve& other, const SupportingCurve& t, int q_root,
-                                           bool x_axis) {
-  const auto is_along = [&](const SupportingCurve& k) { return k.grid && (x_axis ? k.a : k.b) == 0; };
-  if (!is_along(line) || !is_along(other) || !is_moved(s, t) || p_root != q_root) return std::nullopt;
-  const Center a = center(s, x_axis), b = center(t, x_axis);
-  const int128 p_height = a.across - line.c, q_height = b.across - other.c;
-  if (p_height != q_height && p_height != -q_height) return std::nullopt;
-  return sign_of(a.along - b.along);
+/// Of a circle about a grid point, a chord along the axis, at whose end a crossing lies.
+struct Chord {
+  const SupportingCurve* circle;
+  int128 doubled_height;  // over the centre
+  int side;
+};
+
+/// Where a grid line along the axis cuts a circle, or two equal circles across the axis cut each other.
+std::optional<Chord> chord_of(const Geometry& g, const Point& p, bool x_axis) {
+  const auto *s = &g.supporting_curves[p.i], *t = &g.supporting_curves[p.j];
+  if (s->circle && !t->circle) std::swap(s, t);
+  if (!t->circle || !t->grid) return std::nullopt;
+  const Center at = center(*t, x_axis);
+  if (!s->circle) {
+    const bool is_along = s->grid && (x_axis ? s->a : s->b) == 0;
+    return is_along ? std::optional(Chord{t, 2 * (at.across - s->c), p.root}) : std::nullopt;
+  }
+  if (!is_moved(*s, *t) || center(*s, x_axis).along != at.along) return std::nullopt;
+  const int128 height = at.across - center(*s, x_axis).across;
+  return Chord{t, height, p.root * sign_of(height)};
+}
+
+std::optional<int> order_of_chords(const Chord& p, const Chord& q, bool x_axis) {
+  const int128 h = p.doubled_height, k = q.doubled_height;
+  if (!is_moved(*p.circle, *q.circle) || p.side != q.side || (h != k && h != -k)) return std::nullopt;
+  return sign_of(center(*p.circle, x_axis).along - center(*q.circle, x_axis).along);
 }
 
 /// Twice a coordinate where that is an integer seen at once: of grid points, of points on a grid line across the axis,
-/// and of the points of two equal circles halfway between their centres.
+/// of those where a line along it touches a circle, and of those of two equal circles halfway between their centres.
 std::optional<int128> doubled(const Geometry& g, const Point& p, bool x_axis) {
   if (p.kind == Point::Kind::kGrid) return 2 * int128(x_axis ? p.gx : p.gy);
   if (p.kind == Point::Kind::kReal) return std::nullopt;
   const SupportingCurve &s = g.supporting_curves[p.i], &t = g.supporting_curves[p.j];
   for (const SupportingCurve* k : {&s, &t})
     if (!k->circle && k->grid && (x_axis ? k->b : k->a) == 0) return 2 * k->c;
+  if (s.circle != t.circle && p.root == 0) {
+    const SupportingCurve &line = s.circle ? t : s, &circle = s.circle ? s : t;
+    if (circle.grid && (x_axis ? line.a : line.b) == 0) return 2 * center(circle, x_axis).along;
+  }
   if (!s.circle || !s.grid || !is_moved(s, t)) return std::nullopt;
   const Center a = center(s, x_axis), b = center(t, x_axis);
   return p.root == 0 || a.across == b.across ? std::optional(a.along + b.along) : std::nullopt;
@@ -161,13 +180,12 @@ std::optional<int128> doubled(const Geometry& g, const Point& p, bool x_axis) {
 /// The order of two crossings with circles of which one is the other moved and mirrored, as about boxes.
 std::optional<int> compare_mirrored(const Geometry& g, const Point& p, const Point& q, bool x_axis) {
   if (p.kind != Point::Kind::kCross || q.kind != Point::Kind::kCross) return std::nullopt;
-  const auto *s = &g.supporting_curves[p.i], *t = &g.supporting_curves[p.j];
-  const auto *u = &g.supporting_curves[q.i], *v = &g.supporting_curves[q.j];
-  if (s->circle && !t->circle) std::swap(s, t);
-  if (u->circle && !v->circle) std::swap(u, v);
-  if (s->circle != u->circle || !t->circle || !v->circle || !t->grid || !v->grid) return std::nullopt;
-  return s->circle ? order_if_circles_mirrored(*s, *t, p.root, *u, *v, q.root, x_axis)
-                   : order_if_lines_mirrored(*s, *t, p.root, *u, *v, q.root, x_axis);
+  const auto &s = g.supporting_curves[p.i], &t = g.supporting_curves[p.j];
+  const auto &u = g.supporting_curves[q.i], &v = g.supporting_curves[q.j];
+  if (s.circle && t.circle && s.grid && u.circle && v.circle)
+    if (const auto order = order_if_circles_mirrored(s, t, p.root, u, v, q.root, x_axis)) return order;
+  const auto chord = chord_of(g, p, x_axis), other = chord ? chord_of(g, q, x_axis) : std::nullopt;
+  return other ? order_of_chords(*chord, *other, x_axis) : std::nullopt;
 }
 
 std::array<Approx, 2> tangent(const Geometry& g, std::uint32_t p, Heading h) {

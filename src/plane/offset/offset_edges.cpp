@@ -167,6 +167,13 @@ OffsetEdges::Part OffsetEdges::part(Vector from, Vector to, const Vector* center
   return {from, *center + (r_ * r_ / dot(d, d)) * d, to};
 }
 
+bool OffsetEdges::covered(const Part& p, const Vector* center, std::span<const Index> by) const {
+  const auto any_near = [&](Vector v) {
+    return std::any_of(by.begin(), by.end(), [&](Index k) { return near(edges_[k], v); });
+  };
+  return any_near(p.from) && any_near(p.to) && covered(p, center, by, kHalvings);
+}
+
 bool OffsetEdges::covered(const Part& p, const Vector* center, std::span<const Index> by, int halvings) const {
   for (Index k : by)
     if (near(edges_[k], p)) return true;
@@ -207,7 +214,7 @@ bool OffsetEdges::covered(const Part& p, const Vector* center, Index k) {
     before = corners_[before].before;
     after = corners_[after].next;
   }
-  if (!in_short_ring(k) && covered(p, center, beside, kHalvings)) return true;
+  if (!in_short_ring(k) && covered(p, center, beside)) return true;
   find_near(k);
   const PieceBox reach = grown({std::min({p.from.x, p.top.x, p.to.x}), std::min({p.from.y, p.top.y, p.to.y}),
                                 std::max({p.from.x, p.top.x, p.to.x}), std::max({p.from.y, p.top.y, p.to.y})},
@@ -215,7 +222,7 @@ bool OffsetEdges::covered(const Part& p, const Vector* center, Index k) {
   nearest_.clear();
   for (const Index e : near_)
     if (edge_box(corners_, corners_[e]).meets(reach)) nearest_.push_back(e);
-  return covered(p, center, nearest_, kHalvings);
+  return covered(p, center, nearest_);
 }
 
 bool OffsetEdges::covers_displaced(Index k) {

@@ -61,6 +61,7 @@ class OffsetEdges {
   bool near(const Edge& e, const Part& p) const { return near(e, p.from) && near(e, p.to) && near(e, p.top); }
   Vector middle(const Part& p, const Vector* center) const;
   Part part(Vector from, Vector to, const Vector* center) const;
+  bool covered(const Part& p, const Vector* center, std::span<const Index> by) const;
   bool covered(const Part& p, const Vector* center, std::span<const Index> by, int halvings) const;
   bool covered(const Part& p, const Vector* center, Index k);
   Index end_of_short_ring(Index k) const;
