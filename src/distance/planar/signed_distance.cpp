@@ -148,6 +148,20 @@ RealPoint SignedDistance::seed() const {
   return base().geometry.exact(base().vertices[0].point);
 }
 
+namespace {
+
+/// Calls see(feature) for those whose mark times the sign is not positive; they are made anew each time, as a list of
+/// all takes more memory than the set.
+template <class See>
+void each_feature(const plane::CellComplex& c, int sign, See&& see) {
+  for (plane::Index v = 0; v < c.vertices.size(); ++v)
+    if (c.vertices[v].mark * sign <= 0) see(vertex_feature(c, v));
+  for (plane::Index e = 0; e < c.edges.size(); ++e)
+    if (c.edges[e].mark * sign <= 0) see(edge_feature(c, e));
+}
+
+}  // namespace
+
 std::vector<NearLevelCurve> SignedDistance::level_curves(const RealPoint& p, double tolerance) const {
   double x = near_value(p.x), y = near_value(p.y);
   Mark at = mark_of(base(), locate(base(), p));
@@ -155,13 +169,12 @@ std::vector<NearLevelCurve> SignedDistance::level_curves(const RealPoint& p, dou
   for (int sign : {-1, 1}) {
     // Outside the distance to marks <= 0 counts, inside minus that to marks >= 0.
     if (at * sign < 0) continue;
-    auto all = distance::features(base(), [sign](Mark m) { return m * sign <= 0; });
     double least = std::numeric_limits<double>::infinity();
-    for (const BoundaryFeature& s : all) least = std::min(least, s.distance(x, y));
-    for (const BoundaryFeature& s : all) {
-      double gap = s.distance(x, y) - least;
+    each_feature(base(), sign, [&](const BoundaryFeature& s) { least = std::min(least, s.distance(x, y)); });
+    each_feature(base(), sign, [&](const BoundaryFeature& s) {
+      const double gap = s.distance(x, y) - least;
       if (gap <= tolerance) out.push_back({near_level_curve(base(), s, x, y, sign), gap});
-    }
+    });
   }
   return out;
 }

@@ -40,7 +40,8 @@ SupportingCurve SupportingCurve::line(std::int64_t a, std::int64_t b, const Real
 SupportingCurve SupportingCurve::displaced_line(std::int64_t a, std::int64_t b, int128 c, const CurveReals& shift) {
   if (shift.w().sign() == 0) return line(a, b, c);
   // An integer length gives a rational offset.
-  if (auto length = integer_length(a, b)) return line(a, b, Real(c) + shift.w() * Real(*length));
+  if (auto length = integer_length(a, b))
+    return line(a, b, Real(c) + (*length == 1 ? shift.w() : shift.w() * Real(*length)));
   SupportingCurve l;
   l.grid = false;
   l.a = a;

@@ -115,7 +115,10 @@ class Builder {
   /// The corner, r to the right of a way parallel to an axis.
   Index beside(GridPoint at, const GridCorner& way) {
     const int x = (way.dy > 0) - (way.dy < 0), y = (way.dx < 0) - (way.dx > 0);
-    return g_.add_real_point(Real(at.x) + Real(x) * radius_, Real(at.y) + Real(y) * radius_);
+    return g_.add_real_point(moved(at.x, x), moved(at.y, y));
+  }
+  Real moved(std::int64_t from, int way) const {
+    return way == 0 ? Real(from) : Real(from) + (way > 0 ? radius_ : inwards_.reals.w());
   }
 
   /// Where a displaced edge, which may be left out, and the arc about corner k touch.
