@@ -4,8 +4,10 @@
 
 #include <findspace/error.h>
 
+#include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "space/convolution/ray_solids.h"
@@ -19,7 +21,9 @@ using Kind = plane::Shape::Kind;
 
 class Rotator {
  public:
-  explicit Rotator(plane::Rounding& rounding) : rounding_(rounding) {}
+  Rotator(const Rotation& rotation, plane::Rounding& rounding) : rounding_(rounding) {
+    for (std::size_t k = 0; k < 3; ++k) rows_[k] = intervals(rotation.rows[k]);
+  }
 
   plane::ShapePtr shape(const plane::Shape& s, const Rotation& r) {
     if (const Solid* primitive = solid_of(s)) {
@@ -78,9 +82,38 @@ class Rotator {
     return {c[0], c[1], c[2]};
   }
 
+  using Intervals = std::array<exact::Interval, 3>;
+  static Intervals intervals(const RealVector& v) { return {v[0].interval(), v[1].interval(), v[2].interval()}; }
+
+  /// Where intervals tell the grid point, that the point moves, and less far than the farthest so far.
+  std::optional<Point> rounded_nearly(const Point& p, const Intervals& by) {
+    const Intervals at{exact::enclose(p.x), exact::enclose(p.y), exact::enclose(p.z)};
+    const exact::Interval half{0.5, 0.5}, most = exact::enclose(kCoordinateLimit);
+    exact::Interval square;
+    std::array<std::int64_t, 3> c{};
+    bool moves = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const exact::Interval x = rows_[k][0] * at[0] + rows_[k][1] * at[1] + rows_[k][2] * at[2] + by[k];
+      if (exact::certain_sign(most - x) <= 0 || exact::certain_sign(most + x) <= 0) return std::nullopt;
+      c[k] = std::llround(x.lo);
+      const exact::Interval rest = x - exact::enclose(c[k]);
+      if (exact::certain_sign(half - rest) <= 0 || exact::certain_sign(half + rest) <= 0) return std::nullopt;
+      moves = moves || exact::certain_sign(rest) != 0;
+      square = square + rest * rest;
+    }
+    const exact::Interval largest{rounding_.largest, rounding_.largest};
+    if (!moves || exact::certain_sign(largest - sqrt(square)) <= 0) return std::nullopt;
+    ++rounding_.points;
+    return Point{c[0], c[1], c[2]};
+  }
+
   std::vector<Point> rounded(const std::vector<Point>& points, const Rotation& r) {
+    const Intervals by = intervals(r.by);
     std::vector<Point> out;
-    for (const Point& p : points) out.push_back(rounded(r(real(p))));
+    for (const Point& p : points) {
+      const std::optional<Point> near = rounded_nearly(p, by);
+      out.push_back(near ? *near : rounded(r(real(p))));
+    }
     return out;
   }
 
@@ -127,13 +160,14 @@ class Rotator {
   }
 
   plane::Rounding& rounding_;
+  std::array<Intervals, 3> rows_;                                    // of the rotation, whatever the shift
   std::map<std::pair<const plane::Shape*, RealVector>, Done> done_;  // by the shift: sums share their operands
 };
 
 }  // namespace
 
 plane::ShapePtr rotated(const plane::Shape& shape, const Rotation& rotation, plane::Rounding& rounding) {
-  return Rotator(rounding).shape(shape, rotation);
+  return Rotator(rotation, rounding).shape(shape, rotation);
 }
 
 }  // namespace findspace::space
