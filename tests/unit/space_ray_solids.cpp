@@ -53,6 +53,43 @@ TEST(RaySolids, WhatIsShrunkGoesOnAcrossWallsWithin) {
   for (const int x : {0, 21}) EXPECT_EQ(sign_at(row, 0, Real(x)), 1) << x;
 }
 
+Triangles box_at(const Point& low, const Point& high) {
+  Mesh mesh;
+  add_box(mesh, low, high);
+  return triangles(mesh);
+}
+
+/// Rows that only some pairs meet, one that none does, and boxes that touch.
+TEST(UnitedPairs, AreTheLeastOfAllPairs) {
+  const std::vector<Triangles> a{box_at({0, 0, 0}, {4, 4, 4}), box_at({20, 0, 3}, {25, 9, 8}),
+                                 box_at({4, 0, 4}, {9, 2, 9})};
+  const std::vector<Triangles> b{box_at({0, 0, 0}, {2, 2, 2}), box_at({5, 5, 5}, {6, 7, 8})};
+  for (int axis = 0; axis < 3; ++axis) {
+    const RayGrid grid{axis, 2, -31, -33, 5, 4, 20, 24};
+    const UnitedPairs united(a, b, grid);
+    std::vector<RaySourcePointer> each;
+    for (const Triangles& s : b) {
+      for (const Triangles& t : a) each.push_back(std::make_unique<PairRays>(t, s, grid));
+    }
+    const RaySourcePointer least = least_rays(std::move(each));
+    for (int round = 0; round < 2; ++round) {
+      for (int j = 0; j < grid.nv; ++j) {
+        const RayRow row = united.row(j), expected = least->row(j);
+        EXPECT_EQ(row.before, expected.before);
+        EXPECT_EQ(row.first, expected.first);
+        ASSERT_EQ(row.events.size(), expected.events.size());
+        for (std::size_t k = 0; k < row.events.size(); ++k) {
+          EXPECT_EQ(compare_positions(row.events[k].at, expected.events[k].at), 0);
+          EXPECT_EQ(row.events[k].here, expected.events[k].here);
+          EXPECT_EQ(row.events[k].after, expected.events[k].after);
+        }
+        EXPECT_TRUE(!united.apart(j) || row.events.empty());
+      }
+    }
+    EXPECT_TRUE(united.apart(grid.nv - 1));
+  }
+}
+
 TEST(RaySolids, WhatLiesTooFarOutIsRefused) {
   constexpr std::int64_t kFar = std::int64_t{1} << 39;
   Mesh far;

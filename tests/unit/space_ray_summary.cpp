@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// What lines tell of a region whose intervals have no end: they are cut at the box, and neighbours meet.
+// What lines tell of a region whose intervals have no end: they are cut at the box, and neighbours meet. What is made
+// of several rows of signs.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "space/rays/ray_extreme.h"
 #include "space/rays/ray_summary.h"
+#include "space/rays/row_merge.h"
 
 namespace findspace::space {
 namespace space_ray_summary {
@@ -67,6 +69,40 @@ TEST(RayExtreme, OfIntervalsWithoutEndIsInTheBox) {
   EXPECT_EQ(extreme({2, false, {}}), -5);
   EXPECT_EQ(extreme({2, true, {}}), 5);
   EXPECT_EQ(extreme({-1, false, {0, 0, 9}}), 0);
+}
+
+void expect_same(const RayRow& a, const RayRow& b) {
+  EXPECT_EQ(a.before, b.before);
+  EXPECT_EQ(a.first, b.first);
+  ASSERT_EQ(a.events.size(), b.events.size());
+  for (std::size_t k = 0; k < a.events.size(); ++k) {
+    EXPECT_EQ(compare_positions(a.events[k].at, b.events[k].at), 0);
+    EXPECT_EQ(a.events[k].here, b.events[k].here);
+    EXPECT_EQ(a.events[k].after, b.events[k].after);
+  }
+}
+
+/// Three rows of three lines with events at the same places, lines without events, and signs that differ from where
+/// they were left on the line before.
+std::vector<RayRow> three_rows() {
+  return {{{1, 1, -1}, {0, 2, 2, 3}, {event(0, 0, -1), event(3, 0, 1), event(1, 1, 1)}},
+          {{1, -1, 1}, {0, 2, 2, 4}, {event(3, -1, -1), event(5, 0, 1), event(1, 0, -1), event(2, -1, 1)}},
+          {{-1, 1, 1}, {0, 1, 3, 3}, {event(0, 0, 1), event(4, 0, 1), event(6, -1, 1)}}};
+}
+
+TEST(RowMerge, ExtremesAreThoseOfTheSigns) {
+  using Signs = std::span<const std::int8_t>;
+  const std::vector<RayRow> rows = three_rows();
+  expect_same(extreme(rows, true), combined(rows, [](Signs s) { return *std::min_element(s.begin(), s.end()); }));
+  expect_same(extreme(rows, false), combined(rows, [](Signs s) { return *std::max_element(s.begin(), s.end()); }));
+}
+
+TEST(RowMerge, SumsAreThoseOfTheSigns) {
+  const plane::SignSum sum{1, {{{-1, 0, 1}}, {{2, 0, 0}}, {{-3, 1, -1}}}};
+  const std::vector<RayRow> rows = three_rows();
+  expect_same(summed(rows, sum), combined(rows, [&](std::span<const std::int8_t> s) {
+                return std::int8_t(sum.first + sum.of(0, s[0]) + sum.of(1, s[1]) + sum.of(2, s[2]) > 0 ? -1 : 1);
+              }));
 }
 
 }  // namespace space_ray_summary

@@ -196,10 +196,7 @@ Tried<SurfaceRays> solid_rays(Which which, const TouchingSolid& b, const Touchin
 }
 
 Source as_source(SurfaceRays rays) {
-  if (rays.sources.size() == 1) return std::move(rays.sources[0]);
-  return space::combined_rays(std::move(rays.sources), [least = rays.least](std::span<const std::int8_t> s) {
-    return least ? *std::min_element(s.begin(), s.end()) : *std::max_element(s.begin(), s.end());
-  });
+  return rays.least ? space::least_rays(std::move(rays.sources)) : space::greatest_rays(std::move(rays.sources));
 }
 
 }  // namespace findspace::formula

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "plane/base/stage_observer.h"
 #include "space/convolution/facet_rays.h"
 #include "space/convolution/ray_ball.h"
 #include "space/convolution/ray_pair.h"
@@ -97,24 +98,27 @@ std::unique_ptr<RaySource> farthest(const std::vector<RaySolid>& b, const std::v
   return std::make_unique<space::PieceRays>(balls, 1, grid, space::PieceRays::Of::kIntersection);
 }
 
+/// The sign of gamma1 of all of them; null where there are balls, or an observer is to see every pair.
+std::unique_ptr<RaySource> united(const std::vector<RaySolid>& b, const std::vector<RaySolid>& a, const RayGrid& grid) {
+  const auto ball = [](const RaySolid& s) { return s.ball(); };
+  if (plane::stage_observer() != nullptr || std::any_of(a.begin(), a.end(), ball) ||
+      std::any_of(b.begin(), b.end(), ball))
+    return nullptr;
+  const auto surfaces = [](const std::vector<RaySolid>& all) {
+    std::vector<space::Triangles> out;
+    for (const RaySolid& s : all) out.push_back(s.surface);
+    return out;
+  };
+  return std::make_unique<space::UnitedPairs>(surfaces(a), surfaces(b), grid);
+}
+
 }  // namespace
 
 bool SurfaceRays::searched() const {
   return std::any_of(sources.begin(), sources.end(), [](const auto& s) { return s->searched(); });
 }
 
-exact::Tried<RayRow> SurfaceRays::try_row(int j) const {
-  if (sources.size() == 1) return sources[0]->try_row(j);
-  std::vector<RayRow> rows;
-  for (const auto& s : sources) {
-    exact::Tried<RayRow> row = s->try_row(j);
-    if (!row) return row;
-    rows.push_back(*std::move(row));
-  }
-  return space::combined(rows, [&](std::span<const std::int8_t> signs) {
-    return least ? *std::min_element(signs.begin(), signs.end()) : *std::max_element(signs.begin(), signs.end());
-  });
-}
+exact::Tried<RayRow> SurfaceRays::try_row(int j) const { return space::extreme_row(sources, least, j); }
 
 SurfaceRays surface_rays(distance::Which which, const std::vector<RaySolid>& b, const std::vector<RaySolid>& a,
                          const Real& level, const RayGrid& grid) {
@@ -126,6 +130,8 @@ SurfaceRays surface_rays(distance::Which which, const std::vector<RaySolid>& b, 
     add(farthest(b, a, level, grid));
     return result;
   }
+  if (which == distance::Which::kGamma1 && level.sign() == 0 && b.size() * a.size() > 1) add(united(b, a, grid));
+  if (!result.sources.empty()) return result;
   const bool many = large(a, b);
   std::size_t wanted = 0;
   if (which == distance::Which::kGamma1) {

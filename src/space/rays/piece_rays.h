@@ -31,6 +31,7 @@ class PieceRays : public RaySource, private RayRoots {
 
   const RayGrid& grid() const override { return grid_; }
   exact::Tried<RayRow> try_row(int j) const override;
+  bool apart(int j) const override { return of_ == Of::kUnion && of_row(j).empty(); }
 
   /// Whether a line of the grid may meet the box, given in 1/scale grid steps.
   static bool any_line(const RayGrid& grid, const Vector& low, const Vector& high, std::int64_t scale);

@@ -5,7 +5,6 @@
 #include <findspace/error.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "plane/base/parallel.h"
 
@@ -64,117 +63,6 @@ int compare_positions(const RayPosition& p, const RayPosition& q) {
   if (!p.roots && !q.roots) return exact::compare_fractions(p.exact, q.exact);
   if (same_root(p, q)) return 0;
   return exact::compare(p.to_real(), q.to_real());
-}
-
-namespace {
-
-/// The next event of a source; its exact place is found once at most.
-class Head {
- public:
-  explicit Head(const RayEvent& event) : event_(&event) {}
-  const RayEvent& event() const { return *event_; }
-
-  static int compare(Head& a, Head& b) {
-    const RayPosition &p = a.event_->at, &q = b.event_->at;
-    if (!p.roots && !q.roots) return compare_positions(p, q);
-    const double gap = p.value - q.value, blur = (p.radius + q.radius) * 2;
-    if (gap > blur) return 1;
-    if (gap < -blur) return -1;
-    if (same_root(p, q)) return 0;
-    return exact::compare(a.exactly(), b.exactly());
-  }
-
- private:
-  const exact::Real& exactly() {
-    if (!exact_) exact_ = event_->at.to_real();
-    return *exact_;
-  }
-  const RayEvent* event_;
-  std::optional<exact::Real> exact_;
-};
-
-using Combine = std::function<std::int8_t(std::span<const std::int8_t>)>;
-
-/// Several rows walked side by side, line by line.
-class Merge {
- public:
-  Merge(std::span<const RayRow> rows, const Combine& combine)
-      : rows_(rows),
-        combine_(combine),
-        here_(rows.size()),
-        after_(rows.size()),
-        next_(rows.size()),
-        heads_(rows.size()) {}
-
-  RayRow run() {
-    for (std::size_t line = 0; line < rows_[0].before.size(); ++line) {
-      begin(line);
-      while (step(line)) {
-      }
-      result_.first.push_back(static_cast<int>(result_.events.size()));
-    }
-    return std::move(result_);
-  }
-
- private:
-  void begin(std::size_t line) {
-    for (std::size_t k = 0; k < rows_.size(); ++k) {
-      after_[k] = rows_[k].before[line];
-      next_[k] = rows_[k].first[line];
-      advance(line, k);
-    }
-    last_ = combine_(after_);
-    result_.before.push_back(last_);
-  }
-
-  /// The next event of row k becomes its head.
-  void advance(std::size_t line, std::size_t k) {
-    heads_[k].reset();
-    if (next_[k] < rows_[k].first[line + 1]) heads_[k].emplace(rows_[k].events[static_cast<std::size_t>(next_[k]++)]);
-  }
-
-  /// The rows whose heads come first, all at one position.
-  void find_first() {
-    at_once_.clear();
-    for (std::size_t k = 0; k < rows_.size(); ++k) {
-      if (!heads_[k]) continue;
-      const int order = at_once_.empty() ? -1 : Head::compare(*heads_[k], *heads_[at_once_[0]]);
-      if (order < 0) at_once_.clear();
-      if (order <= 0) at_once_.push_back(k);
-    }
-  }
-
-  /// Passes the next position where a row has an event; false at the end of the line.
-  bool step(std::size_t line) {
-    find_first();
-    if (at_once_.empty()) return false;
-    const RayPosition at = heads_[at_once_[0]]->event().at;
-    here_ = after_;
-    for (const std::size_t k : at_once_) {
-      here_[k] = heads_[k]->event().here;
-      after_[k] = heads_[k]->event().after;
-      advance(line, k);
-    }
-    const std::int8_t now = combine_(here_), then = combine_(after_);
-    if (now != last_ || then != last_) result_.events.push_back({at, now, then});
-    last_ = then;
-    return true;
-  }
-
-  std::span<const RayRow> rows_;
-  const Combine& combine_;
-  std::vector<std::int8_t> here_, after_;  // the rows' signs at the position, and behind it
-  std::vector<int> next_;
-  std::vector<std::optional<Head>> heads_;
-  std::vector<std::size_t> at_once_;
-  std::int8_t last_ = 0;
-  RayRow result_;
-};
-
-}  // namespace
-
-RayRow combined(std::span<const RayRow> rows, const std::function<std::int8_t(std::span<const std::int8_t>)>& combine) {
-  return Merge(rows, combine).run();
 }
 
 std::int8_t sign_at(const RayRow& row, int i, const exact::Real& z) {

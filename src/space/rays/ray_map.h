@@ -92,6 +92,8 @@ class RaySource {
   RayRow row(int j) const { return try_row(j).or_throw(); }
   /// Whether a search tells the signs, so that 0 means a place near the boundary as well as on it.
   virtual bool searched() const { return false; }
+  /// Whether row j is known to be + all along; of many sources few are asked for a row then.
+  virtual bool apart(int /*j*/) const { return false; }
   /// What each_row() does; a source whose rows come from several processes has its own way.
   virtual void each_row(const std::function<void(int, RayRow&&)>& take) const;
 };

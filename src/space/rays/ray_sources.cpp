@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "space/rays/row_merge.h"
+
 namespace findspace::space {
 namespace {
 
@@ -13,33 +15,36 @@ bool any_searched(const std::vector<RaySourcePointer>& sources) {
   return std::any_of(sources.begin(), sources.end(), [](const RaySourcePointer& s) { return s->searched(); });
 }
 
+bool all_apart(const std::vector<RaySourcePointer>& sources, int j) {
+  return std::all_of(sources.begin(), sources.end(), [j](const RaySourcePointer& s) { return s->apart(j); });
+}
+
 class Constant : public RaySource {
  public:
-  Constant(const RayGrid& grid, int sign) : grid_(grid), sign_(static_cast<std::int8_t>(sign)) {}
+  Constant(const RayGrid& grid, int sign) : grid_(grid), sign_(sign) {}
   const RayGrid& grid() const override { return grid_; }
-  exact::Tried<RayRow> try_row(int) const override {
-    const auto lines = static_cast<std::size_t>(grid_.nu);
-    return RayRow{std::vector<std::int8_t>(lines, sign_), std::vector<int>(lines + 1, 0), {}};
-  }
+  exact::Tried<RayRow> try_row(int) const override { return constant_row(grid_, sign_); }
+  bool apart(int) const override { return sign_ > 0; }
 
  private:
   RayGrid grid_;
-  std::int8_t sign_;
+  int sign_;
 };
 
 class Combined : public RaySource {
  public:
-  /// `decides`: of a row that is the result whatever the sources after its own say; they are not asked then.
-  Combined(std::vector<RaySourcePointer> sources, std::function<std::int8_t(Signs)> combine,
-           std::function<bool(const RayRow&)> decides = {})
-      : sources_(std::move(sources)), combine_(std::move(combine)), decides_(std::move(decides)) {}
+  Combined(std::vector<RaySourcePointer> sources, std::function<std::int8_t(Signs)> combine)
+      : sources_(std::move(sources)),
+        combine_(std::move(combine)),
+        apart_with_all_(combine_(std::vector<std::int8_t>(sources_.size(), 1)) > 0) {}
   const RayGrid& grid() const override { return sources_[0]->grid(); }
   bool searched() const override { return any_searched(sources_); }
+  bool apart(int j) const override { return apart_with_all_ && all_apart(sources_, j); }
   exact::Tried<RayRow> try_row(int j) const override {
     std::vector<RayRow> rows;
     for (const RaySourcePointer& s : sources_) {
       exact::Tried<RayRow> row = s->try_row(j);
-      if (!row || (decides_ && decides_(*row))) return row;
+      if (!row) return row;
       rows.push_back(*std::move(row));
     }
     return combined(rows, combine_);
@@ -48,7 +53,20 @@ class Combined : public RaySource {
  private:
   std::vector<RaySourcePointer> sources_;
   std::function<std::int8_t(Signs)> combine_;
-  std::function<bool(const RayRow&)> decides_;
+  bool apart_with_all_;
+};
+
+class Extreme : public RaySource {
+ public:
+  Extreme(std::vector<RaySourcePointer> sources, bool least) : sources_(std::move(sources)), least_(least) {}
+  const RayGrid& grid() const override { return sources_[0]->grid(); }
+  bool searched() const override { return any_searched(sources_); }
+  bool apart(int j) const override { return least_ && all_apart(sources_, j); }
+  exact::Tried<RayRow> try_row(int j) const override { return extreme_row(sources_, least_, j); }
+
+ private:
+  std::vector<RaySourcePointer> sources_;
+  bool least_;
 };
 
 bool is_positive_everywhere(const RayRow& row) {
@@ -58,6 +76,11 @@ bool is_positive_everywhere(const RayRow& row) {
 }  // namespace
 
 RaySourcePointer constant_rays(const RayGrid& grid, int sign) { return std::make_unique<Constant>(grid, sign); }
+
+RayRow constant_row(const RayGrid& grid, int sign) {
+  const auto lines = static_cast<std::size_t>(grid.nu);
+  return RayRow{std::vector<std::int8_t>(lines, static_cast<std::int8_t>(sign)), std::vector<int>(lines + 1, 0), {}};
+}
 
 RaySourcePointer combined_rays(std::vector<RaySourcePointer> sources, std::function<std::int8_t(Signs)> combine) {
   return std::make_unique<Combined>(std::move(sources), std::move(combine));
@@ -73,10 +96,27 @@ RaySourcePointer negated_rays(RaySourcePointer source) {
   return mapped_rays(std::move(source), [](int s) { return -s; });
 }
 
+exact::Tried<RayRow> extreme_row(std::span<const RaySourcePointer> sources, bool least, int j) {
+  if (sources.size() == 1) return sources[0]->try_row(j);
+  std::vector<RayRow> rows;
+  for (const RaySourcePointer& s : sources) {
+    if (least && s->apart(j)) continue;
+    exact::Tried<RayRow> row = s->try_row(j);
+    // One that is + everywhere is the greatest, whatever those after it say: they are not asked.
+    if (!row || (!least && is_positive_everywhere(*row))) return row;
+    rows.push_back(*std::move(row));
+  }
+  return rows.empty() ? constant_row(sources[0]->grid(), 1) : extreme(rows, least);
+}
+
 RaySourcePointer greatest_rays(std::vector<RaySourcePointer> sources) {
   if (sources.size() == 1) return std::move(sources[0]);
-  return std::make_unique<Combined>(
-      std::move(sources), [](Signs s) { return *std::max_element(s.begin(), s.end()); }, is_positive_everywhere);
+  return std::make_unique<Extreme>(std::move(sources), false);
+}
+
+RaySourcePointer least_rays(std::vector<RaySourcePointer> sources) {
+  if (sources.size() == 1) return std::move(sources[0]);
+  return std::make_unique<Extreme>(std::move(sources), true);
 }
 
 RaySourcePointer cut_off_rays(RaySourcePointer source, bool negated, const exact::Real& level) {

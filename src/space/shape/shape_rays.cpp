@@ -93,10 +93,6 @@ RaySourcePointer body_rays(const Body& body, const Placing& placing, const Wante
   return mapped_rays(std::move(rays), [=](int s) { return s == 0 ? frontier : s < 0 ? inside : -inside; });
 }
 
-RaySourcePointer union_rays(std::vector<RaySourcePointer> sources) {
-  return combined_rays(std::move(sources), [](Signs s) { return *std::min_element(s.begin(), s.end()); });
-}
-
 /// What all convex sets of a part have in common outside the open ones, and so for all parts.
 RaySourcePointer csg_rays(const CsgSolid& cut, const Placing& placing, const Wanted& wanted) {
   std::vector<RaySourcePointer> parts;
@@ -113,7 +109,7 @@ RaySourcePointer csg_rays(const CsgSolid& cut, const Placing& placing, const Wan
     for (const BodyPart& set : part.without) add(set, true);
     parts.push_back(greatest_rays(std::move(sets)));
   }
-  return parts.empty() ? constant_rays(wanted.grid, 1) : union_rays(std::move(parts));
+  return parts.empty() ? constant_rays(wanted.grid, 1) : least_rays(std::move(parts));
 }
 
 /// What is left of a solid, shrunk by -`wanted.by`, by its convex parts.
@@ -219,7 +215,7 @@ RaySourcePointer joined_rays(const plane::Shape& shape, const Placing& placing, 
     auto rays = rays_of(*shape.children[k], placing, without ? wanted.complemented() : wanted);
     sources.push_back(without ? negated_rays(std::move(rays)) : std::move(rays));
   }
-  return shape.kind == Kind::kUnion ? union_rays(std::move(sources)) : greatest_rays(std::move(sources));
+  return shape.kind == Kind::kUnion ? least_rays(std::move(sources)) : greatest_rays(std::move(sources));
 }
 
 RaySourcePointer rays_of(const plane::Shape& shape, const Placing& placing, const Wanted& wanted) {
