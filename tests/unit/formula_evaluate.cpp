@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "formula/language/evaluate.h"
+#include "formula/language/level_truth.h"
 #include "formula/language/parse.h"
 #include "formula/language/text.h"
 
@@ -181,6 +182,33 @@ TEST(Evaluate, CertaintyOfFewOpenSignsIsExact) {
   EXPECT_EQ(certainty_of_none(read("gap(B, A) >= 1 or gap(B, A) < 1")), 2);
   EXPECT_EQ(certainty_of_none(read("gap(B, A) >= 1 and gap(B, A) < 1")), 0);
   EXPECT_EQ(certainty_of_none(read("gap(B, A) >= 1 or gap(B, A) < 2")), 1);  // signs, not values
+}
+
+TEST(LevelTruth, IsTheFormulaAtEveryValue) {
+  for (const char* text :
+       {"0 <= gap(B, A) < 2 or gap(B, A) = 5 or gap(B, A) >= 7 and gap(B, A) != 8", "gap(B, A) >= 3 and gap(B, A) >= 1",
+        "gap(B, A) > 4 or gap(B, A) < 4 or gap(B, A) = 6", "gap(B, A) < 1 or gap(B, A) >= 1 or gap(B, A) > 2",
+        "gap(B, A) < 1 and gap(B, A) > 2", "not (gap(B, A) <= 6 and (gap(B, A) > 2 or gap(B, A) = 1))"}) {
+    const Formula formula = read(text);
+    const std::optional<LevelTruth> truth = level_truth(formula);
+    ASSERT_TRUE(truth) << text;
+    for (int twice = -2; twice <= 20; ++twice) {
+      std::vector<std::int8_t> signs;
+      for (const SignMap& m : formula.sign_maps())
+        signs.push_back(static_cast<std::int8_t>((exact::Real(twice) - m.level * exact::Real(2)).sign()));
+      std::int32_t sum = truth->sum.first;
+      for (std::size_t k = 0; k < truth->sign_maps.size(); ++k) sum += truth->sum.of(k, signs[truth->sign_maps[k]]);
+      EXPECT_EQ(sum, evaluate(formula, signs) ? 1 : 0) << text << " at " << twice;
+    }
+  }
+}
+
+TEST(LevelTruth, NamesTheLevelsThatTellSomething) {
+  EXPECT_EQ(level_truth(read("gap(B, A) >= 3 and gap(B, A) >= 1"))->sign_maps, std::vector<std::size_t>{0});
+  EXPECT_EQ(level_truth(read("gap(B, A) > 1 or gap(B, A) <= 2"))->sign_maps, std::vector<std::size_t>{});
+  EXPECT_FALSE(level_truth(read("gap(B, A) >= 3")));
+  EXPECT_FALSE(level_truth(read("gap(B, A) >= 3 and gap(B, C) >= 1")));
+  EXPECT_FALSE(level_truth(read("gap(B, A) >= 3 or gap(B, A) -> min")));
 }
 
 TEST(Units, FactorsAreExact) {

@@ -2,11 +2,13 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // The region of the plane and what is best in it: exact, or between bounds, and which way found it.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "findspace/error.h"
 #include "formula/language/parse.h"
 #include "formula/language/parse_goal.h"
+#include "formula/planar/regions.h"
 #include "formula/planar/solve_region.h"
 #include "plane/query/locate.h"
 #include "plane_topology_sets.h"
@@ -63,6 +65,42 @@ TEST_F(SolveRegion, SaysWhetherItIsExact) {
   EXPECT_FALSE(solve_region(solver, where(kAlongALine)).outer);
   EXPECT_TRUE(solve_region(solver, where(kAlongAHyperbola)).outer);
   EXPECT_TRUE(solve_region(solver, where("gap(B, A, rotating=(0, 0)) >= 5")).outer);
+}
+
+/// As by laying all sign maps over each other and asking the formula in every cell.
+TEST_F(SolveRegion, LevelsOfOneDistanceMakeTheSameRegion) {
+  for (const char* text :
+       {"-50 <= gap(B, A) < 20 or gap(B, A) = 40 or gap(B, A) > 100 and gap(B, A) != 300",
+        "gap(B, A) >= 0 and gap(B, A) >= 20", "gap(B, A) = -100 or gap(B, A) <= -200 or gap(B, A) > 5",
+        "gap(B, A, along=(1, 0)) <= 30 or 50 < gap(B, A, along=(1, 0)) <= 60",
+        "gap(B, A+C) <= 100 or gap(B, A+C) = 150", "gap(B, A) < 1 or gap(B, A) >= 1 or gap(B, A) > 2"}) {
+    const Formula formula = where(text);
+    const std::optional<plane::Region> levels = region_by_levels(solver.prepared(), formula);
+    ASSERT_TRUE(levels) << text;
+    const plane::Region all = region_of(formula, sign_maps(solver.prepared(), formula));
+    EXPECT_EQ(levels->vertices.size(), all.vertices.size()) << text;
+    EXPECT_EQ(levels->edges.size(), all.edges.size()) << text;
+    EXPECT_EQ(levels->faces.size(), all.faces.size()) << text;
+    EXPECT_TRUE(plane::same_set(*levels, all)) << text;
+  }
+  EXPECT_FALSE(region_by_levels(solver.prepared(), where("gap(B, A) >= 5 and gap(B, C) >= 5")));
+}
+
+/// Levels of one distance among others, and beside a container.
+TEST_F(SolveRegion, ManyLevelsAmongOthersMakeTheSameRegion) {
+  std::string bands = "gap(B, A) < 1";
+  for (int k = 1; k < 40; ++k) bands += fmt::format(" or {} <= gap(B, A) < {}", 20 * k, 20 * k + 10);
+  const auto by_cells = [&](const Formula& formula) {
+    return region_of(formula, sign_maps(solver.prepared(), formula));
+  };
+  for (const std::string& text :
+       {"gap(B, C) >= 50 and (" + bands + ")", "gap(B, C) < 50 or " + bands, "inside(B, W) and (" + bands + ")",
+        "inside(B, W) and gap(B, C) > 3 and (" + bands + ")",
+        std::string("inside(B, W) and (gap(B, A) < 30 or gap(B, A) > 40)")}) {
+    const Formula formula = where(text.c_str());
+    EXPECT_TRUE(plane::same_set(solve_region(solver, formula).region, by_cells(formula))) << text;
+    EXPECT_TRUE(plane::same_set(feasible(solver.prepared(), formula), by_cells(formula))) << text;
+  }
 }
 
 TEST_F(SolveRegion, IsRefusedToThoseWhoNeedItExact) {

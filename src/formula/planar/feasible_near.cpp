@@ -126,6 +126,7 @@ class Near {
 
   /// The positions where the formula holds, right within the box only; nothing: everywhere there.
   std::optional<Region> set(const Formula& formula) const {
+    if (auto levels = set_of_levels(formula)) return levels;
     std::vector<plane::SignMap> maps;
     bool varies = false;
     for (const SignMap& m : formula.sign_maps()) {
@@ -136,6 +137,18 @@ class Near {
     for (const auto& m : maps) signs.push_back(m.faces[0].mark);
     if (!varies) return evaluate(formula, signs) ? std::nullopt : std::optional(CellComplex::uniform(0));
     return region_of(formula, std::move(maps));
+  }
+
+  /// The same of a formula of one distance, by levels of what is near enough for the greatest of them: so all are
+  /// levels of one function. Nothing for another formula.
+  std::optional<Region> set_of_levels(const Formula& formula) const {
+    const std::vector<SignMap>& all = formula.sign_maps();
+    const auto local = [&](const SignMap& m) { return is_local(m); };
+    if (!std::all_of(all.begin(), all.end(), local)) return std::nullopt;
+    const auto greatest = [](const SignMap& a, const SignMap& b) { return a.level < b.level; };
+    return region_of_levels(formula, [&](const SignMap& m) {
+      return sign_map(m, std::max_element(all.begin(), all.end(), greatest)->level);
+    });
   }
 
   /// Does an atom hold everywhere in the box, or nowhere, because its obstacles are out of reach? Nothing: they are
@@ -167,7 +180,9 @@ class Near {
                        [&](const std::string& name) { return world_.box(name) != nullptr; });
   }
 
-  plane::SignMap sign_map(const SignMap& wanted) const {
+  plane::SignMap sign_map(const SignMap& wanted) const { return sign_map(wanted, wanted.level); }
+  /// From what is near enough for level `farthest`.
+  plane::SignMap sign_map(const SignMap& wanted, const Real& farthest) const {
     const Real level = wanted.level / world_.step();
     const Distance d = moving_first(wanted.distance, world_.world().moving);
     if (!wanted.more.empty()) return formula::sign_map(world_, wanted);
@@ -176,7 +191,7 @@ class Near {
     const auto known = movers_.find(d.first);
     const Mover b = known == movers_.end() ? made(d.first) : known->second;
     if (!b.box) return position_function(world_, wanted.distance)->sign_map(level);
-    const PieceBox window = reached(*b.box, d, level);
+    const PieceBox window = reached(*b.box, d, farthest / world_.step());
     std::vector<plane::SharedRegion> parts;
     for (const std::string& name : d.second)
       if (world_.box(name)->meets(window)) parts.push_back(part(name, window));

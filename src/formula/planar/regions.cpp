@@ -14,6 +14,7 @@
 #include "distance/rotation/rotational_by_position.h"
 #include "exact/margins/formula.h"
 #include "formula/language/evaluate.h"
+#include "formula/language/level_truth.h"
 #include "formula/language/text.h"
 #include "formula/planar/least_values.h"
 #include "formula/planar/position_functions.h"
@@ -21,6 +22,7 @@
 #include "plane/base/parallel.h"
 #include "plane/base/stage_observer.h"
 #include "plane/complex/overlay.h"
+#include "plane/complex/refinement.h"
 
 namespace findspace::formula {
 
@@ -149,6 +151,21 @@ plane::Region region_of(const Formula& formula, std::vector<plane::SignMap> maps
   return region;
 }
 
+std::optional<plane::Region> region_of_levels(const Formula& formula, const MakeSignMap& make) {
+  if (plane::stage_observer() != nullptr) return std::nullopt;
+  const std::optional<LevelTruth> truth = level_truth(formula);
+  if (!truth) return std::nullopt;
+  if (truth->sign_maps.empty()) return CellComplex::uniform(truth->sum.first > 0 ? 1 : 0);
+  std::vector<SignMap> wanted;
+  for (const std::size_t k : truth->sign_maps) wanted.push_back(formula.sign_maps()[k]);
+  std::vector<plane::SignMap> maps(wanted.size());
+  plane::parallel_for(maps.size(), [&](std::size_t k) { maps[k] = make(wanted[k]); });
+  std::vector<const plane::SignMap*> operands;
+  for (const auto& m : maps) operands.push_back(&m);
+  // A distance in all directions is continuous: it has one value at a place, also in the limit.
+  return plane::summed(operands, truth->sum, wanted[0].distance.mode == Mode::kPlain);
+}
+
 std::optional<exact::Refusal> between_bounds(const PreparedWorld& world, const Formula& formula) {
   for (const SignMap& asked : formula.sign_maps()) {
     if (!asked.more.empty())
@@ -159,7 +176,61 @@ std::optional<exact::Refusal> between_bounds(const PreparedWorld& world, const F
   return std::nullopt;
 }
 
+namespace {
+
+/// From so many levels on, a distance of a formula with others has a region of its own.
+constexpr std::size_t kManyLevels = 32;
+
+/// The formula's operands as formulas: those of one distance with many levels together, the others in one.
+std::vector<Formula> parts_by_distance(const Formula& formula) {
+  const bool all = formula.root().op == Node::Op::kAnd;
+  const auto joined = [&](std::span<const Formula> some) { return all ? conjunction(some) : disjunction(some); };
+  std::vector<std::vector<Formula>> alike;
+  for (const Node& node : formula.root().operands) {
+    const Formula operand = part_of(formula, node);
+    const auto same = std::find_if(alike.begin(), alike.end(),
+                                   [&](const std::vector<Formula>& some) { return of_one_distance(some[0], operand); });
+    if (same != alike.end())
+      same->push_back(operand);
+    else
+      alike.push_back({operand});
+  }
+  std::vector<Formula> out, rest;
+  for (const std::vector<Formula>& some : alike) {
+    const Formula one = joined(some);
+    if (one.sign_maps().size() >= kManyLevels && of_one_distance(one, one))
+      out.push_back(one);
+    else
+      rest.push_back(one);
+  }
+  if (!rest.empty()) out.push_back(joined(rest));
+  return out;
+}
+
+/// Of a formula of several distances some of which have many levels: each of these by itself. Nothing for another one.
+std::optional<plane::Region> region_of_parts(const PreparedWorld& world, const Formula& formula) {
+  const Node::Op op = formula.root().op;
+  if ((op != Node::Op::kAnd && op != Node::Op::kOr) || formula.sign_maps().size() < kManyLevels ||
+      plane::stage_observer() != nullptr)
+    return std::nullopt;
+  const std::vector<Formula> parts = parts_by_distance(formula);
+  if (parts.size() < 2) return std::nullopt;
+  std::vector<plane::Region> regions;
+  for (const Formula& part : parts) regions.push_back(feasible(world, part));
+  std::vector<const plane::Region*> all;
+  for (const plane::Region& r : regions) all.push_back(&r);
+  return op == Node::Op::kAnd ? plane::intersect(all) : plane::unite_arranged(all);
+}
+
+}  // namespace
+
+std::optional<plane::Region> region_by_levels(const PreparedWorld& world, const Formula& formula) {
+  auto region = region_of_levels(formula, [&](const SignMap& wanted) { return sign_map(world, wanted); });
+  return region ? std::move(region) : region_of_parts(world, formula);
+}
+
 plane::Region feasible(const PreparedWorld& world, const Formula& formula) {
+  if (auto region = region_by_levels(world, formula)) return *std::move(region);
   return region_of(formula, sign_maps(world, formula));
 }
 

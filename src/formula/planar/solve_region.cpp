@@ -60,6 +60,7 @@ SolvedRegion solve_region(const Solver& solver, const Formula& formula) {
 
 SolvedRegion solve_region(std::shared_ptr<const Solver> solver, const Formula& formula) {
   if (solver->known_between_bounds(formula) || is_solved_near(*solver, formula)) return solve_region(*solver, formula);
+  if (auto levels = region_by_levels(solver->prepared(), formula)) return {*std::move(levels)};
   std::vector<plane::SignMap> maps = sign_maps(solver->prepared(), formula);
   solver.reset();
   return {region_of(formula, std::move(maps))};

@@ -12,6 +12,7 @@
 #include "distance/rays/ray_runs.h"
 #include "distance/rays/ray_signs.h"
 #include "formula/language/evaluate.h"
+#include "formula/language/level_truth.h"
 #include "formula/language/text.h"
 #include "formula/language/which.h"
 #include "formula/solid/container_parts.h"
@@ -22,6 +23,7 @@
 #include "plane/base/lazy.h"
 #include "space/body/cell_parts.h"
 #include "space/rays/oblique_line.h"
+#include "space/rays/row_merge.h"
 #include "space/shape/shape_rays.h"
 
 namespace findspace::formula {
@@ -298,6 +300,43 @@ class RegionRays : public RaySource {
   std::vector<SurfaceRays> maps_;
 };
 
+/// The same of a formula of one distance, from exact signs at the levels that tell something.
+class LevelRays : public RaySource {
+ public:
+  LevelRays(std::vector<SurfaceRays> maps, plane::SignSum sum, const Distance& distance, const RayGrid& grid)
+      : maps_(std::move(maps)), sum_(std::move(sum)), distance_(distance), grid_(grid) {}
+  const RayGrid& grid() const override { return grid_; }
+  Tried<RayRow> try_row(int j) const override {
+    std::vector<RayRow> rows;
+    for (const SurfaceRays& map : maps_) {
+      Tried<RayRow> row = map.try_row(j);
+      if (!row) return row.refusal().within(written(distance_));
+      rows.push_back(*std::move(row));
+    }
+    return space::summed(rows, sum_);
+  }
+
+ private:
+  std::vector<SurfaceRays> maps_;
+  plane::SignSum sum_;
+  Distance distance_;
+  RayGrid grid_;
+};
+
+/// Null where the formula speaks of more than one distance, or a search tells signs: 0 is no place at a level then.
+space::RaySourcePointer by_levels(const RayWorld& world, const Formula& formula, const RayGrid& grid) {
+  std::optional<LevelTruth> truth = level_truth(formula);
+  if (!truth) return nullptr;
+  if (truth->sign_maps.empty()) return space::constant_rays(grid, truth->sum.first > 0 ? -1 : 1);
+  std::vector<SurfaceRays> maps;
+  for (const std::size_t k : truth->sign_maps) {
+    Tried<SurfaceRays> one = parts(world, formula.sign_maps()[k], grid);
+    if (!one || one->searched()) return nullptr;
+    maps.push_back(*std::move(one));
+  }
+  return std::make_unique<LevelRays>(std::move(maps), std::move(truth->sum), formula.sign_maps()[0].distance, grid);
+}
+
 }  // namespace
 
 KeptBodies& KeptBodies::operator=(const KeptBodies& other) {
@@ -339,6 +378,7 @@ RayWindow window(const RayWorld& world, const Formula& formula) {
 Tried<RegionOnLines> try_ray_region(const RayWorld& world, const Formula& formula, const RayGrid& grid) {
   if (formula.sign_maps().empty())
     return RegionOnLines{space::constant_rays(grid, evaluate(formula, {}) ? -1 : 1), Side::kExact};
+  if (auto rays = by_levels(world, formula, grid)) return RegionOnLines{std::move(rays), Side::kExact};
   std::vector<SurfaceRays> maps;
   std::vector<bool> searched;
   for (const SignMap& map : formula.sign_maps()) {

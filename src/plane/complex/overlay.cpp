@@ -147,12 +147,11 @@ class Labels {
   std::vector<Mark> faces_, edges_, vertices_;
 };
 
-/// On every cell the sum of the weights of the operands (of marks 0 and 1) that contain it.
+/// On every cell the sum over the marks of the operands.
 class Weights {
  public:
-  Weights(const Arrangement& a, const Input& in, std::span<const Region* const> operands,
-          std::span<const std::int32_t> weight)
-      : a_(a), in_(in), operands_(operands), weight_(weight) {
+  Weights(const Arrangement& a, const Input& in, std::span<const CellComplex* const> operands, const SignSum& sum)
+      : a_(a), in_(in), operands_(operands), sum_(sum) {
     weigh_faces();
     weigh_edges();
     weigh_vertices();
@@ -169,14 +168,15 @@ class Weights {
   }
 
  private:
-  std::int32_t weight(Index operand, Mark mark) const { return mark > 0 ? weight_[operand] : 0; }
+  std::int32_t weight(Index operand, Mark mark) const { return sum_.of(operand, mark); }
   Mark face_mark(const Source& s, Index side) const {
-    const Region& c = *operands_[s.operand];
+    const CellComplex& c = *operands_[s.operand];
     return c.faces[c.face(2 * s.edge + side)].mark;
   }
 
   void weigh_faces() {
     faces_.resize(a_.face_count);
+    faces_[0] = sum_.first;
     for (Index k = 0; k < operands_.size(); ++k) faces_[0] += weight(k, operands_[k]->faces[0].mark);
     walk_faces(a_, [&](Index h) {
       std::int32_t sum = faces_[a_.face[h]];
@@ -215,7 +215,7 @@ class Weights {
     }
     Index piece = 0;
     for (Index k = 0; k < operands_.size(); ++k) {
-      const Region& c = *operands_[k];
+      const CellComplex& c = *operands_[k];
       for (const Vertex& v : c.vertices)
         vertices_[a_.point_vertex[v.point + in_.point_offset[k]]] +=
             weight(k, v.mark) - weight(k, c.faces[v.out == kNone ? v.face : c.face(face_before(c, v.out, piece))].mark);
@@ -225,7 +225,7 @@ class Weights {
 
   /// Of the operand's half-edges around the origin of `out`, the last one before or at the first of the arrangement's,
   /// going counter-clockwise; `piece` is the operand's first.
-  Index face_before(const Region& c, Index out, Index piece) const {
+  Index face_before(const CellComplex& c, Index out, Index piece) const {
     Index best = kNone, best_rank = 0, h = out;
     do {
       Index i = piece + h / 2;
@@ -242,19 +242,26 @@ class Weights {
 
   const Arrangement& a_;
   const Input& in_;
-  std::span<const Region* const> operands_;
-  std::span<const std::int32_t> weight_;
+  std::span<const CellComplex* const> operands_;
+  const SignSum& sum_;
   std::vector<std::int32_t> faces_, edges_, vertices_;
 };
 
-/// Where the sum of weights satisfies the rule. Cost: one arrangement, whatever the number of operands.
+/// Where the sum satisfies the rule. Cost: one arrangement, whatever the number of operands.
+template <class Rule>
+Region region_of_sum(Input in, std::span<const CellComplex* const> operands, const SignSum& sum, Rule&& rule) {
+  Arena arena(in.pieces.size());
+  Arrangement a = arrange(std::move(in.geometry), std::move(in.pieces), in.isolated, arena.memory());
+  return extract(std::move(a), Weights(a, in, operands, sum).evaluate(rule));
+}
+
+/// Where the sum of the weights of the regions that contain a cell satisfies the rule.
 template <class Rule>
 Region combine(std::span<const Region* const> regions, std::span<const std::int32_t> weight, Rule&& rule) {
   if (regions.size() == 1) return *regions[0];
-  Input in = gather(regions);
-  Arena arena(in.pieces.size());
-  Arrangement a = arrange(std::move(in.geometry), std::move(in.pieces), in.isolated, arena.memory());
-  return extract(std::move(a), Weights(a, in, regions, weight).evaluate(rule));
+  SignSum sum;
+  for (const std::int32_t w : weight) sum.added.push_back({0, 0, w});
+  return region_of_sum(gather(regions), regions, sum, rule);
 }
 
 }  // namespace
@@ -313,6 +320,16 @@ CellComplex Refinement::complex(std::span<const Mark> of_kind) const {
   };
   const std::vector<Mark> faces = marked(kind_.faces), edges = marked(kind_.edges), vertices = marked(kind_.vertices);
   return extract(Arrangement(cells_), {faces, edges, vertices});
+}
+
+Region summed(std::span<const SignMap* const> maps, const SignSum& sum, bool apart) {
+  const auto holds = [](std::int32_t value) { return Mark(value > 0); };
+  if (maps.size() == 1) return remark(*maps[0], [&](Mark m) { return holds(sum.first + sum.of(0, m)); });
+  Input in = gather(maps);
+  if (apart) {
+    for (Piece& p : in.pieces) p.group = 0;
+  }
+  return region_of_sum(std::move(in), maps, sum, holds);
 }
 
 Region unite_arranged(std::span<const Region* const> regions) {

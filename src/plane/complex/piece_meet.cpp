@@ -236,6 +236,8 @@ void PieceMeetings::add_pair(Index i, Index j) {
 }
 
 void PieceMeetings::add_pairs(const CellGrid& grid) {
+  const auto of_first = [&](const Piece& p) { return p.group == pieces_[0].group; };
+  if (!pieces_.empty() && pieces_[0].group != kNone && std::all_of(pieces_.begin(), pieces_.end(), of_first)) return;
   const std::size_t ranges = range_count(pieces_.size(), kManyToMeet);
   if (ranges == 1) return grid.pairs([&](Index i, Index j) { add_pair(i, j); });
   const std::vector<IndexRange> strips = grid.strips(ranges);

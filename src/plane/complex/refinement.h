@@ -4,7 +4,8 @@
 // The common refinement of the cells of some marked complexes, kept: many functions of their marks are made of it, each
 // the same complex as by overlay() (overlay.h, which has the code). Cells on which all operands have the same marks are
 // of one kind, so that a rule is asked once for each kind. Guarantee: exact. Cost: one overlay; each function then
-// linear in the cells. Keywords: overlay, minterm, cell labels.
+// linear in the cells. Of a function that is a sum over the operands no marks are kept: its cost does not grow with
+// their number. Keywords: overlay, minterm, cell labels.
 #pragma once
 
 #include <cstdint>
@@ -13,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "plane/base/sign_sum.h"
 #include "plane/base/work_budget.h"
 #include "plane/complex/arrangement.h"
 #include "plane/complex/cell_complex.h"
@@ -47,5 +49,8 @@ class Refinement {
   Arrangement cells_;                 // of several
   CellValues<Index> kind_;
 };
+
+/// Where the sum over the marks of the maps is more than 0. `apart`: the curves of one map meet none of another.
+Region summed(std::span<const SignMap* const> maps, const SignSum& sum, bool apart);
 
 }  // namespace findspace::plane
