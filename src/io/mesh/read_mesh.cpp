@@ -168,14 +168,14 @@ void MeshBuilder::vertex(const TextLines& lines, std::string_view x, std::string
 }
 
 MeshBuilder::MeshBuilder(ReadContext& context, const exact::Real& scale) : context_(context), scale_(scale) {
-  if (scale.sign() > 0) unit_ = context.grid.step() / scale;
+  if (scale.sign() > 0) step_ = context.grid.step() / scale;
   constexpr std::int64_t kMostSteps = std::int64_t{1} << 53;
   const auto steps = (scale / context.grid.step()).integer();
   if (steps && *steps > 0 && *steps <= kMostSteps) steps_ = double(*steps);
 }
 
 std::int64_t MeshBuilder::on_grid(const TextLines& lines, std::string_view coordinate, double& moved) const {
-  if (const auto steps = exact::grid_integer(coordinate, unit_)) return *steps;
+  if (const auto steps = exact::grid_integer(coordinate, step_)) return *steps;
   exact::Real number;
   try {
     number = exact::Real::parse_decimal(coordinate);
@@ -226,12 +226,7 @@ int MeshBuilder::index(const TextLines& lines, long index) const {
 
 space::Mesh parse_mesh(const std::string& bytes, const std::string& ending, ReadContext& context,
                        const MeshScale& scale) {
-  if (ending == ".3mf") {
-    const Model3mf model = open_3mf(bytes, context);
-    MeshBuilder builder(context, scale(model.millimetres));
-    read_3mf(model, builder);
-    return std::move(builder.mesh());
-  }
+  if (ending == ".3mf") return read_3mf(bytes, context, scale);
   if (ending == ".glb") {
     MeshBuilder builder(context, scale(exact::Real(1000)));  // metres
     read_glb(bytes, context, builder);

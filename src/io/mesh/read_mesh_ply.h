@@ -48,12 +48,15 @@ class MeshBuilder {
   void vertex(const TextLines& lines, std::string_view x, std::string_view y, std::string_view z);
   void vertex(double x, double y, double z);
   void vertex(const std::array<exact::Real, 3>& p);
+  void vertex(const space::Point& on_grid) { mesh_.vertices.push_back(on_grid); }
   void face(std::vector<int> circuit) { mesh_.faces.push_back(std::move(circuit)); }
   /// The index, if there is such a vertex.
   int index(const TextLines& lines, long index) const;
   /// Counts work beyond that of the file's own bytes. Throws Error(kLimit).
   void charge(std::uint64_t units, std::string_view what) { context_.work.charge(units, what); }
   std::size_t size() const { return mesh_.vertices.size(); }
+  /// A grid step in the file's unit; 0 where there is none.
+  const exact::Real& step() const { return step_; }
   space::Mesh& mesh() { return mesh_; }
 
  private:
@@ -64,7 +67,7 @@ class MeshBuilder {
 
   ReadContext& context_;
   exact::Real scale_;
-  exact::Real unit_;  // a grid step in the file's unit
+  exact::Real step_;
   double steps_ = 0;  // that one of the file's numbers makes, if a whole number of them
   space::Mesh mesh_;
 };

@@ -4,6 +4,9 @@
 
 #include <findspace/error.h>
 
+#include <exception>
+#include <memory>
+
 #ifdef FINDSPACE_WITH_ZIP
 #include <zip.h>
 #endif
@@ -79,21 +82,36 @@ ZipArchive::ZipArchive(std::string_view bytes) {
 
 ZipArchive::~ZipArchive() { zip_discard(static_cast<zip_t*>(archive_)); }
 
-std::optional<std::string> ZipArchive::member(const std::string& name, ReadContext& context) const {
+bool ZipArchive::read(const std::string& name, ReadContext& context,
+                      const std::function<void(std::string_view)>& take) const {
+  constexpr std::size_t kPiece = std::size_t{1} << 19;
+  const auto refuse = [&](const char* what) { bad_file("the archive's member " + name + what); };
   auto* archive = static_cast<zip_t*>(archive_);
   const zip_int64_t at = zip_name_locate(archive, name.c_str(), ZIP_FL_NOCASE);
-  if (at < 0) return std::nullopt;
+  if (at < 0) return false;
   zip_stat_t stat;
   if (zip_stat_index(archive, static_cast<zip_uint64_t>(at), 0, &stat) != 0 || (stat.valid & ZIP_STAT_SIZE) == 0)
-    bad_file("the archive's member " + name + " cannot be read");
+    refuse(" cannot be read");
   context.take_bytes(stat.size, "the archive's member " + name);
-  zip_file_t* file = zip_fopen_index(archive, static_cast<zip_uint64_t>(at), 0);
-  if (!file) bad_file("the archive's member " + name + " cannot be read");
-  std::string content(static_cast<std::size_t>(stat.size), '\0');
-  const zip_int64_t read = zip_fread(file, content.data(), content.size());
-  const bool sound = zip_fclose(file) == 0 && read == static_cast<zip_int64_t>(content.size());
-  if (!sound) bad_file("the archive's member " + name + " is damaged");
-  return content;
+  const std::unique_ptr<zip_file_t, int (*)(zip_file_t*)> file(
+      zip_fopen_index(archive, static_cast<zip_uint64_t>(at), 0), &zip_fclose);
+  if (!file) refuse(" cannot be read");
+  std::string piece(kPiece, '\0');
+  std::exception_ptr thrown;
+  for (zip_uint64_t left = stat.size;;) {
+    const zip_int64_t read = zip_fread(file.get(), piece.data(), piece.size());
+    const bool last = read == 0;
+    if (read < 0 || static_cast<zip_uint64_t>(read) > left || (last && left > 0)) refuse(" is damaged");
+    if (last) break;
+    left -= static_cast<zip_uint64_t>(read);
+    try {
+      if (!thrown) take({piece.data(), static_cast<std::size_t>(read)});
+    } catch (...) {
+      thrown = std::current_exception();
+    }
+  }
+  if (thrown) std::rethrow_exception(thrown);
+  return true;
 }
 
 #else
@@ -109,7 +127,9 @@ namespace {
 std::string zip_bytes(const std::vector<std::pair<std::string, std::string>>&) { missing(); }
 ZipArchive::ZipArchive(std::string_view) { missing(); }
 ZipArchive::~ZipArchive() = default;
-std::optional<std::string> ZipArchive::member(const std::string&, ReadContext&) const { missing(); }
+bool ZipArchive::read(const std::string&, ReadContext&, const std::function<void(std::string_view)>&) const {
+  missing();
+}
 
 #endif
 

@@ -6,8 +6,7 @@
 // that are missing, encrypted or damaged, and kLimit for those too large. Keywords: container, deflate, OPC package.
 #pragma once
 
-#include <cstdint>
-#include <optional>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -28,9 +27,9 @@ class ZipArchive {
   ZipArchive(const ZipArchive&) = delete;
   ZipArchive& operator=(const ZipArchive&) = delete;
 
-  /// The content of a member, whose bytes the context counts before they are unpacked; nothing if there is none of that
-  /// name.
-  std::optional<std::string> member(const std::string& name, ReadContext& context) const;
+  /// Gives the content of a member in pieces, whose bytes the context counts before they are unpacked; false if there
+  /// is none of that name. Where a damaged member makes `take` throw, the damage is what is reported.
+  bool read(const std::string& name, ReadContext& context, const std::function<void(std::string_view)>& take) const;
 
  private:
   void* archive_ = nullptr;
