@@ -409,6 +409,12 @@ class Costs(SafetyTest):
         result = self.expect(4, "--input-limit raises", "describe", self.of_file("a.3mf"))
         self.assertLess(result.kilobytes, 200_000)
 
+    def test_model_of_many_vertices(self):
+        vertices, triangles = self.TETRAHEDRON_OF_MODEL
+        self.model("a.3mf", [vertices, *['<vertex x="0" y="0" z="0"/>' * 10_000] * 300, triangles], "", 1)
+        result = self.expect(0, "", "describe", self.of_file("a.3mf"))
+        self.assertLess(result.kilobytes, 250_000)  # a vertex takes 24 bytes, and its text 6
+
     TETRAHEDRON_OF_MODEL = (
         '<vertices>' + "".join('<vertex x="%d" y="%d" z="%d"/>' % p for p in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1))),
         '</vertices><triangles>' + "".join('<triangle v1="%d" v2="%d" v3="%d"/>' % f for f in

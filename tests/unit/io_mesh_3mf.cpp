@@ -127,7 +127,43 @@ TEST(Mesh3mf, BrokenFilesAreRefused) {
   EXPECT_NE(refusal(package(model(odd, "<item objectid=\"4\"/>"))).find("'a'"), std::string::npos);
   std::string damaged = good;
   damaged[damaged.find("3dmodel.model") + 30] ^= 0x55;
-  EXPECT_NE(refusal(damaged), "nothing");
+  EXPECT_NE(refusal(damaged).find("damaged"), std::string::npos);
+}
+
+/// Items may stand before their objects; of two meshes in an object the first counts.
+TEST(Mesh3mf, OrderDoesNotMatter) {
+  const std::string mesh = kTetrahedron.substr(0, kTetrahedron.find("</object>"));
+  EXPECT_EQ(six_volumes(package("<model><build><item objectid=\"2\"/><item objectid=\"1\" transform=\"1 0 0 0 1 0 0 "
+                                "0 1 3 0 0\"/></build><resources><object id=\"2\"><components><component "
+                                "objectid=\"1\"/></components></object>" +
+                                mesh + "<mesh><vertices/></mesh></object></resources></model>"),
+                        ".3mf"),
+            2e18);
+}
+
+/// What XML itself may do to a reader.
+TEST(Mesh3mf, XmlThatIsHostile) {
+  const auto refused = [](const std::string& model) {
+    try {
+      six_volumes(package(model), ".3mf");
+    } catch (const Error& e) {
+      return e.place() + ": " + e.message();
+    }
+    return std::string("nothing");
+  };
+  EXPECT_EQ(refused("<model>\n  <resources></build>"), "3D/3dmodel.model:2:16: this is not XML: mismatched tag");
+  EXPECT_EQ(refused("<!DOCTYPE model [<!ENTITY a \"b\"><!ENTITY c \"&a;&a;\">]><model>&c;</model>"),
+            "3D/3dmodel.model:1:17: a document type, which is not read here");
+  std::string many = "<model><resources>";
+  for (int i = 0; i < 1000000; ++i) many += "<a" + std::to_string(i) + "/>";
+  for (const std::string& model : {many, "<model a=\"" + std::string(20'000'000, 'a') + "\"/>", [] {
+                                     std::string deep;
+                                     for (int i = 0; i < 2'000'000; ++i) deep += "<model>";
+                                     return deep;
+                                   }()}) {
+    EXPECT_NE(refused(model).find("too long, too deep or have too many names"), std::string::npos)
+        << model.substr(0, 40);
+  }
 }
 
 TEST(WriteMesh, PlyKeepsEveryBit) {

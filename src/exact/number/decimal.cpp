@@ -150,7 +150,9 @@ std::optional<std::int64_t> grid_integer(std::string_view text, const Real& step
   const int128 above = int128(digits) * (*parts)[1], divisor = int128(below) * (*parts)[0];
   constexpr int128 kWord = std::numeric_limits<std::int64_t>::max();
   const bool short_ones = above <= kWord && divisor <= kWord;  // the division of words is ten times faster
-  const int128 steps = short_ones ? std::int64_t(above) / std::int64_t(divisor) : above / divisor;
+  const int128 steps = divisor == 1 ? above
+                       : short_ones ? std::int64_t(above) / std::int64_t(divisor)
+                                    : above / divisor;
   if (steps * divisor != above || steps > kMaxGridCoordinate) return std::nullopt;
   return static_cast<std::int64_t>(negative ? -steps : steps);
 }

@@ -201,10 +201,15 @@ class ModelReader : public XmlListener {
 
   void vertex(XmlAttributes attributes) {
     MeshPart& mesh = *object_->mesh;
-    for (const char* name : {"x", "y", "z"}) {
-      const char* const value = xml_attribute(attributes, name);
-      if (!value) bad_value(fmt::format("a <vertex> has no {}", name));
-      mesh.coordinates.append(value, std::strlen(value) + 1);
+    std::array<const char*, 3> values{};
+    for (; *attributes; attributes += 2) {
+      const char* const name = attributes[0];
+      if (name[0] >= 'x' && name[0] <= 'z' && name[1] == 0)
+        values[static_cast<std::size_t>(name[0] - 'x')] = attributes[1];
+    }
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!values[k]) bad_value(fmt::format("a <vertex> has no {}", "xyz"[k]));
+      mesh.coordinates.append(values[k], std::strlen(values[k]) + 1);
     }
     ++mesh.vertices;
   }
@@ -336,6 +341,7 @@ class Build {
   void add_vertices(const MeshPart& mesh, const MeshTransform& placed) {
     const auto by_steps = StepTransform::of(placed, out_.step());
     Vertices vertices(mesh);
+    out_.expect(mesh.vertices);
     for (std::size_t i = 0; i < mesh.vertices; ++i) {
       const std::array<std::string_view, 3> written = vertices.next();
       if (const auto on_grid = by_steps ? in_steps(written, *by_steps) : std::nullopt)

@@ -7,6 +7,7 @@
 
 #include <findspace/error.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -50,6 +51,11 @@ class MeshBuilder {
   void vertex(const std::array<exact::Real, 3>& p);
   void vertex(const space::Point& on_grid) { mesh_.vertices.push_back(on_grid); }
   void face(std::vector<int> circuit) { mesh_.faces.push_back(std::move(circuit)); }
+  /// So many more vertices come.
+  void expect(std::size_t vertices) {
+    const std::size_t all = size() + vertices;
+    if (all > mesh_.vertices.capacity()) mesh_.vertices.reserve(std::max(all, 2 * mesh_.vertices.capacity()));
+  }
   /// The index, if there is such a vertex.
   int index(const TextLines& lines, long index) const;
   /// Counts work beyond that of the file's own bytes. Throws Error(kLimit).
