@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The maps of a CsgSide on lines: by the least values on stretches of functions (near_rays.h), or by values. And the
-// least values along a direction.
+// The maps of a CsgSide on lines: by the least values on stretches of functions (near_rays.h), of balls by the features
+// of A (csg_features.h), or by values. And the least values along a direction.
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "distance/csg/csg_features.h"
 #include "distance/csg/csg_pair.h"
 #include "distance/rays/ray_directional_least.h"
 #include "distance/search/boundary_search.h"
@@ -132,25 +133,36 @@ class CsgSide::GapNear : public NearRule {
  public:
   GapNear(std::shared_ptr<const CsgSide> side, double level, const Vector& unit)
       : side_(std::move(side)), level_(level) {
+    bool points = false;
     for (const BodyPart& s : side_->b_->parts) {
-      parts_.push_back({SweptPart(s, unit), space::rounded(bounds(space::body_of_part(s)))});
+      Moving& moving =
+          parts_.emplace_back(Moving{SweptPart(s, unit), space::rounded(bounds(space::body_of_part(s))), {}, 0});
+      if (!s.point()) continue;
+      points = true;
+      moving.center = exact::approx(s.center);
+      moving.radius = s.radius.to_double();
     }
+    for (const CsgPartSearch& part : side_->parts_)
+      features_.push_back(points ? CsgFeatures::of(*part.sets, side_->size_) : nullptr);
   }
 
   exact::Tried<Least> least(const NearLine& line, double from, double to, const Until& until) const override {
-    Least out{exact::kInfinity, exact::kInfinity, {}};
+    Least out{exact::kInfinity, exact::kInfinity, {}, true};
     const double error = margin::kFoundError * side_->size_;
     const Until wanted{level_, until.share, until.blur};
     const Vector &start = line.start, &unit = line.unit;
     for (const Moving& s : parts_) {
-      const TouchingConstraint gap = s.swept.gap(start, from, to);
-      for (const CsgPartSearch& part : side_->parts_) {
+      for (std::size_t k = 0; k < features_.size(); ++k) {
+        const CsgPartSearch& part = side_->parts_[k];
         const double boxes = distance(s, start, unit, from, to, part) - error - level_;
         if (boxes > 0 || boxes > out.low) {
           out.low = std::min(out.low, boxes);
           continue;
         }
-        const BoundaryPlace found = part.places.nearest_to(gap, {-exact::kInfinity, {}, &wanted});
+        const PointWay way{start, unit, from, to};
+        std::optional<BoundaryPlace> by_features = nearest_by_features(s, k, way, wanted);
+        out.quick = out.quick && by_features;
+        const BoundaryPlace found = by_features ? *std::move(by_features) : nearest(s, k, way, wanted);
         out.low = std::min(out.low, found.bound - error - level_);
         const double high = found.value + error - level_;
         if (!found.found || !(high < out.high)) continue;
@@ -166,7 +178,29 @@ class CsgSide::GapNear : public NearRule {
   struct Moving {
     SweptPart swept;
     space::Extent box;
+    std::optional<Vector> center;  // of a ball
+    double radius = 0;
   };
+
+  /// The place of a part of A; nothing where it has no features or they do not tell.
+  std::optional<BoundaryPlace> nearest_by_features(const Moving& s, std::size_t part, const PointWay& way,
+                                                   const Until& until) const {
+    if (!s.center || !features_[part]) return std::nullopt;
+    const auto found = features_[part]->nearest({space::plus(way.start, *s.center), way.unit, way.from, way.to},
+                                                {until.level + s.radius, until.share, until.blur});
+    if (!found) return std::nullopt;
+    BoundaryPlace out;
+    out.found = true;
+    out.value = found->high - s.radius;
+    out.bound = found->low - s.radius;
+    out.place = found->place;
+    return out;
+  }
+
+  BoundaryPlace nearest(const Moving& s, std::size_t part, const PointWay& way, const Until& until) const {
+    const TouchingConstraint gap = s.swept.gap(way.start, way.from, way.to);
+    return side_->parts_[part].places.nearest_to(gap, {-exact::kInfinity, {}, &until});
+  }
 
   static double distance(const Moving& s, const Vector& start, const Vector& unit, double from, double to,
                          const CsgPartSearch& part) {
@@ -186,6 +220,7 @@ class CsgSide::GapNear : public NearRule {
   std::shared_ptr<const CsgSide> side_;
   double level_;
   std::vector<Moving> parts_;
+  std::vector<std::unique_ptr<const CsgFeatures>> features_;  // of the parts of A, where B has balls
 };
 
 /// How far the nearest position is at which B is free of A, less how far that is to be.

@@ -79,13 +79,16 @@ class Walk {
 
   /// Nothing once the walk is refused.
   std::optional<NearRule::Least> least(double from, double to, const Until& until) {
-    if (!refused_ && (++searches_ > plane::allowed(kMostSearches) || plane::cells_left() <= 0))
+    if (!refused_ && (++asked_ > plane::allowed(kMostSearches) || plane::cells_left() <= 0))
       refused_.emplace(plane::search_spent("the signs along a line were not found"));
     if (refused_) return std::nullopt;
     exact::Tried<NearRule::Least> found = rule_.least(line_, from, to, until);
-    if (found) return *std::move(found);
-    refused_ = found.refusal();
-    return std::nullopt;
+    if (!found) {
+      refused_ = found.refusal();
+      return std::nullopt;
+    }
+    if (!found->quick) ++searches_;
+    return *std::move(found);
   }
 
   void put(double from, double to, int sign) {
@@ -98,6 +101,7 @@ class Walk {
   void halve(double from, double to) {
     const double middle = (from + to) / 2;
     searches_ += kHard;
+    asked_ += kHard;
     if (!(from < middle && middle < to)) return put(from, to, 0);
     leave(from, middle);
     leave(middle, to);
@@ -181,7 +185,7 @@ class Walk {
   double size_;
   std::vector<SignStretch> known_;
   std::vector<std::pair<double, double>> left_;
-  int searches_ = 0;
+  int asked_ = 0, searches_ = 0;
   bool touching_ = false;  // what was looked at last
   std::optional<exact::Refusal> refused_;
 };

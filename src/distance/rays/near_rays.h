@@ -40,6 +40,7 @@ class NearRule {
   struct Least {
     double low, high;
     std::function<AlongPlace(double)> beyond;
+    bool quick = false;  // without a search
   };
   /// The level is 0: that of `until` is ignored.
   virtual exact::Tried<Least> least(const NearLine& line, double from, double to, const Until& until) const = 0;
