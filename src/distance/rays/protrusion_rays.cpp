@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "distance/rays/line_signs.h"
+#include "exact/margins/protrusion.h"
 #include "exact/margins/space_distance.h"
 #include "plane/base/search_work.h"
 #include "space/rays/oblique_line.h"
@@ -180,7 +181,8 @@ std::vector<ProtrusionRays::Stretch> ProtrusionRays::lengthened(const Side& side
   for (const int way : {-1, 1}) {
     const double end = way < 0 ? cut.from : cut.to, away = end - (way < 0 ? of.held.from : of.held.to);
     if (!(within.from < end && end < within.to)) continue;
-    const double reach = std::min(8 * std::fabs(away), side.cut);  // no sign: what is looked at
+    const double reach =
+        std::min(8 * std::fabs(away), std::max(side.cut, size_ * margin::kEndWindow));  // no sign: what is looked at
     const std::optional<EndPlace> y =
         outermost(side, line, *of.part, space::plus(x, space::scaled(away, line.unit)), end, way, reach);
     if (!y) continue;
