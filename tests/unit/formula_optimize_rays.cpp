@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// The best place of intervals on lines, against every place of a fine sampling; ends, ties and single places.
+// The best place of intervals on lines, against every place of a fine sampling; ends, ties and single places. A region
+// on lines by the levels of one distance.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
+#include "formula/language/evaluate.h"
+#include "formula/language/parse.h"
 #include "formula/solid/optimize_rays.h"
+#include "formula/solid/solve_rays.h"
+#include "unit/solid_shapes.h"
 
 namespace findspace::formula {
 namespace formula_optimize_rays {
@@ -107,6 +112,57 @@ TEST(OptimizeRays, AgreesWithSampling) {
     EXPECT_LE(high->value, greatest + 0.05);
     EXPECT_GE(high->bound, high->value);
     EXPECT_NEAR(high->bound, high->value, 2e-5);
+  }
+}
+
+Formula in_space(const std::string& text) {
+  return parse_formula(text, {.shapes = {"A", "B"},
+                              .moving = {"B"},
+                              .extra = {},
+                              .independent = false,
+                              .motion = false,
+                              .unit = Unit::kMillimetre,
+                              .dimension = 3});
+}
+
+/// The formula in every place of a line has the truth of the signs at its levels, one level at a time.
+TEST(RayRegion, LevelsOfOneDistanceAreTheFormula) {
+  RayWorld world;
+  world.shapes.emplace("A", RayShape(space::hull({{0, 0, 0}, {6, 0, 0}, {0, 6, 0}, {0, 0, 6}})));
+  world.shapes.emplace("B", RayShape(space::hull({{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 2}})));
+  world.moving = {"B"};
+  world.step = exact::Real(1);
+  const space::RayGrid grid{2, 1, -12, -12, 3, 3, 8, 8};
+  for (const char* text : {"0 <= gap(B, A) < 2 or gap(B, A) = 4 or gap(B, A) > 6", "gap(B, A) > 1 and gap(B, A) > 3",
+                           "gap(B, A) < 1 or gap(B, A) <= 2 or gap(B, A) >= 1"}) {
+    const Formula formula = in_space(text);
+    const RegionOnLines region = ray_region(world, formula, grid);
+    EXPECT_EQ(region.side, Side::kExact);
+    std::vector<RegionOnLines> closed, open;
+    std::vector<Formula> kept;
+    kept.reserve(2 * formula.sign_maps().size());
+    for (const SignMap& m : formula.sign_maps()) {
+      closed.push_back(ray_region(world, kept.emplace_back(compare(m.distance, Relation::kLessEqual, m.level)), grid));
+      open.push_back(ray_region(world, kept.emplace_back(compare(m.distance, Relation::kLess, m.level)), grid));
+    }
+    for (int j = 0; j < grid.nv; ++j) {
+      const space::RayRow row = region.rays->row(j);
+      std::vector<space::RayRow> within, inside;
+      for (std::size_t k = 0; k < closed.size(); ++k) {
+        within.push_back(closed[k].rays->row(j));
+        inside.push_back(open[k].rays->row(j));
+      }
+      for (int place = 0; place < 81 * grid.nu; ++place) {
+        const int i = place % grid.nu;
+        const exact::Real z = exact::Real::ratio(place / grid.nu - 40, 2);
+        std::vector<std::int8_t> signs;
+        for (std::size_t k = 0; k < closed.size(); ++k) {
+          const bool in = space::sign_at(inside[k], i, z) < 0, not_out = space::sign_at(within[k], i, z) < 0;
+          signs.push_back(static_cast<std::int8_t>(in ? -1 : not_out ? 0 : 1));
+        }
+        EXPECT_EQ(space::sign_at(row, i, z) < 0, evaluate(formula, signs)) << text;
+      }
+    }
   }
 }
 
