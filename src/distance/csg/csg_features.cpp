@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "distance/csg/csg_part.h"
 #include "exact/margins/csg_features.h"
 #include "exact/number/interval.h"
 #include "plane/base/search_work.h"
@@ -39,11 +40,6 @@ Meet meet(double near, double radius, double noise) {
   if (near > radius - noise) return Meet::kTouch;
   const double half = std::sqrt((radius - near) * (radius + near));
   return half < margin::kFlatMeet * radius ? Meet::kNearly : Meet::kCross;
-}
-
-Extent in_both(const Extent& a, const Extent& b) {
-  return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y), std::max(a.low.z, b.low.z)},
-          {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y), std::min(a.high.z, b.high.z)}};
 }
 
 Extent about(const Vector& at, const Vector& by) { return {at - by, space::plus(at, by)}; }

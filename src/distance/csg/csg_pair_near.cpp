@@ -151,15 +151,15 @@ class CsgSide::GapNear : public NearRule {
     const double error = margin::kFoundError * side_->size_;
     const Until wanted{level_, until.share, until.blur};
     const Vector &start = line.start, &unit = line.unit;
+    const PointWay way{start, unit, from, to};
     for (const Moving& s : parts_) {
+      const space::Extent swept = swept_box(s, way);
       for (std::size_t k = 0; k < features_.size(); ++k) {
-        const CsgPartSearch& part = side_->parts_[k];
-        const double boxes = distance(s, start, unit, from, to, part) - error - level_;
+        const double boxes = space::distance(swept, side_->parts_[k].box()) - error - level_;
         if (boxes > 0 || boxes > out.low) {
           out.low = std::min(out.low, boxes);
           continue;
         }
-        const PointWay way{start, unit, from, to};
         std::optional<BoundaryPlace> by_features = nearest_by_features(s, k, way, wanted);
         out.quick = out.quick && by_features;
         const BoundaryPlace found = by_features ? *std::move(by_features) : nearest(s, k, way, wanted);
@@ -197,16 +197,21 @@ class CsgSide::GapNear : public NearRule {
     return out;
   }
 
+  /// Places of it that are farther by an eighth of B than the level are not looked for.
   BoundaryPlace nearest(const Moving& s, std::size_t part, const PointWay& way, const Until& until) const {
     const TouchingConstraint gap = s.swept.gap(way.start, way.from, way.to);
-    return side_->parts_[part].places.nearest_to(gap, {-exact::kInfinity, {}, &until});
+    const double far = until.level + space::length(s.box.high - s.box.low) / 8 + 2 * margin::kFoundError * side_->size_;
+    const PositionSet& places = side_->parts_[part].places;
+    const space::Extent near = in_both(places.box(), grown(swept_box(s, way), far));
+    BoundaryPlace out = places.nearest_to(gap, {-exact::kInfinity, {}, &until, near});
+    out.bound = std::min(out.bound, far);
+    return out;
   }
 
-  static double distance(const Moving& s, const Vector& start, const Vector& unit, double from, double to,
-                         const CsgPartSearch& part) {
-    space::Extent swept = moved(s.box, space::plus(start, space::scaled(from, unit)));
-    swept.add(moved(s.box, space::plus(start, space::scaled(to, unit))));
-    return space::distance(swept, part.box());
+  static space::Extent swept_box(const Moving& s, const PointWay& way) {
+    space::Extent out = moved(s.box, space::plus(way.start, space::scaled(way.from, way.unit)));
+    out.add(moved(s.box, space::plus(way.start, space::scaled(way.to, way.unit))));
+    return out;
   }
 
   static std::function<AlongPlace(double)> beyond(const Moving& s, const Vector& start, const Vector& unit,
