@@ -3,6 +3,8 @@
 #include "space/convolution/mesh_crossing.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -38,12 +40,105 @@ bool beside(const RayBody& body, int f, int k, int g) {
   return side(k + 1) * side(k + 2) > 0;
 }
 
-bool cross(const RayBody& body, int f, int g) {
-  const SharedCorners shared = shared_corners(body, f, g);
+bool cross(const RayBody& body, int f, int g, const SharedCorners& shared) {
   if (shared.count > 1) return false;  // the faces about an edge were put in order
   if (shared.count == 1 && (beside(body, f, shared.in_f, g) || beside(body, g, shared.in_g, f))) return false;
   return faces_overlap(body, f, body, g, RayPlace{{}, {0, 1}});
 }
+
+/// Faces that have a corner, and the box about their other corners as seen from it.
+class Fan {
+ public:
+  Fan() = default;
+  /// A face from its corner k.
+  Fan(const RayBody& body, int face, int k) : corner_(body.faces[static_cast<std::size_t>(face)][std::size_t(k)]) {
+    const Point one = body.corner(face, (k + 1) % 3) - body.corner(face, k),
+                two = body.corner(face, (k + 2) % 3) - body.corner(face, k);
+    low_ = {std::min(one.x, two.x), std::min(one.y, two.y), std::min(one.z, two.z)};
+    high_ = {std::max(one.x, two.x), std::max(one.y, two.y), std::max(one.z, two.z)};
+  }
+  /// Of no corner where they have different ones.
+  static Fan united(const Fan& f, const Fan& g) {
+    if (f.corner_ != g.corner_) return {};
+    Fan out = f;
+    for (std::size_t k = 0; k < 3; ++k) {
+      out.low_[k] = std::min(f.low_[k], g.low_[k]);
+      out.high_[k] = std::max(f.high_[k], g.high_[k]);
+    }
+    return out;
+  }
+
+  /// Whether the faces of two fans surely meet in one corner alone: a plane through it parts the boxes.
+  static bool apart(const Fan& f, const Fan& g) {
+    if (f.corner_ == kNone || f.corner_ != g.corner_) return false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if ((f.low_[i] > 0 && g.high_[i] <= 0) || (g.low_[i] > 0 && f.high_[i] <= 0)) return true;
+      if ((f.high_[i] < 0 && g.low_[i] >= 0) || (g.high_[i] < 0 && f.low_[i] >= 0)) return true;
+      for (const std::size_t j : {(i + 1) % 3, (i + 2) % 3})
+        if (less_steep(f, g, i, j) || less_steep(g, f, i, j)) return true;
+    }
+    return false;
+  }
+
+ private:
+  /// Whether coordinate j grows less with coordinate i, away from 0, wherever f is than wherever g is.
+  static bool less_steep(const Fan& f, const Fan& g, std::size_t i, std::size_t j) {
+    const bool above = f.low_[i] > 0 && g.low_[i] > 0;
+    if (!above && !(f.high_[i] < 0 && g.high_[i] < 0)) return false;
+    const auto near = [&](const Fan& x) { return above ? x.low_[i] : -x.high_[i]; };
+    const auto far = [&](const Fan& x) { return above ? x.high_[i] : -x.low_[i]; };
+    const std::int64_t most = f.high_[j], least = g.low_[j];
+    return int128(most) * (least >= 0 ? far(g) : near(g)) < int128(least) * (most >= 0 ? near(f) : far(f));
+  }
+
+  static constexpr int kNone = -1;
+  int corner_ = kNone;
+  std::array<std::int64_t, 3> low_{}, high_{};
+};
+
+/// The fans that fill nodes of the tree: many faces about one corner meet there, box by box.
+class Fans {
+ public:
+  explicit Fans(const RaySheet& sheet) : about_(sheet.body.points.size()) {
+    const RayBody& body = sheet.body;
+    for (const auto& face : body.faces)
+      for (const int corner : face) ++about_[static_cast<std::size_t>(corner)];
+    if (std::none_of(about_.begin(), about_.end(), [](int faces) { return faces >= kMany; })) return;
+    const std::vector<BoxTree::Node>& nodes = sheet.tree.nodes();
+    fans_.resize(nodes.size());
+    for (std::size_t k = nodes.size(); k-- > 0;) {  // those below stand behind
+      const auto first = static_cast<std::size_t>(nodes[k].first);
+      if (nodes[k].count == 0) {
+        fans_[k] = Fan::united(fans_[first], fans_[first + 1]);
+        continue;
+      }
+      fans_[k] = of_face(body, sheet.tree.face(nodes[k].first));
+      for (int i = 1; i < nodes[k].count; ++i)
+        fans_[k] = Fan::united(fans_[k], of_face(body, sheet.tree.face(nodes[k].first + i)));
+    }
+  }
+
+  /// Whether the faces of two nodes surely meet in one corner alone.
+  bool apart(int p, int q) const {
+    return !fans_.empty() && Fan::apart(fans_[static_cast<std::size_t>(p)], fans_[static_cast<std::size_t>(q)]);
+  }
+
+ private:
+  static constexpr int kMany = 32;  // faces about a corner
+
+  /// From the corner that most faces have.
+  Fan of_face(const RayBody& body, int face) const {
+    const auto& corners = body.faces[static_cast<std::size_t>(face)];
+    int most = 0;
+    for (int k = 1; k < 3; ++k)
+      if (faces_about(corners[std::size_t(k)]) > faces_about(corners[std::size_t(most)])) most = k;
+    return faces_about(corners[std::size_t(most)]) < kMany ? Fan() : Fan(body, face, most);
+  }
+  int faces_about(int corner) const { return about_[static_cast<std::size_t>(corner)]; }
+
+  std::vector<int> about_;
+  std::vector<Fan> fans_;  // of each node; none where no corner has many faces
+};
 
 /// Two nodes of the tree, or one twice: the pairs of faces below them.
 struct NodePair {
@@ -53,7 +148,7 @@ struct NodePair {
 /// The pairs of faces whose boxes meet, each once.
 class MeetingPairs {
  public:
-  explicit MeetingPairs(const BoxTree& tree) : tree_(tree) {}
+  explicit MeetingPairs(const RaySheet& sheet) : tree_(sheet.tree), fans_(sheet) {}
 
   /// The pairs of nodes below these, of which one at least is no leaf.
   void part(const NodePair& pair, std::vector<NodePair>& out) const {
@@ -68,7 +163,9 @@ class MeetingPairs {
       out.insert(out.end(), {{p, y.first}, {p, y.first + 1}});
     }
   }
-  bool apart(const NodePair& pair) const { return !node(pair.p).box.meets(node(pair.q).box); }
+  bool apart(const NodePair& pair) const {
+    return !node(pair.p).box.meets(node(pair.q).box) || fans_.apart(pair.p, pair.q);
+  }
   bool leaves(const NodePair& pair) const { return node(pair.p).count > 0 && node(pair.q).count > 0; }
 
   template <class Visit>
@@ -85,6 +182,7 @@ class MeetingPairs {
   static std::int64_t extent(const BoxTree::Node& n) { return n.box.high.x - n.box.low.x; }
 
   const BoxTree& tree_;
+  Fans fans_;
 };
 
 using FacePair = std::pair<int, int>;
@@ -109,7 +207,9 @@ Found find(const RayBody& body, const MeetingPairs& pairs, const NodePair& of) {
     }
     pairs.each(top, [&](const FacePair& faces) {
       const auto [f, g] = faces;
-      if (faces < found.least_crossing && cross(body, f, g)) found.least_crossing = faces;
+      const SharedCorners shared = shared_corners(body, f, g);
+      if (shared.count == 1 && Fan::apart({body, f, shared.in_f}, {body, g, shared.in_g})) return;
+      if (faces < found.least_crossing && cross(body, f, g, shared)) found.least_crossing = faces;
       found.inner_walls = found.inner_walls || faces_back_to_back(body, f, g);
     });
   }
@@ -120,7 +220,7 @@ Found find(const RayBody& body, const MeetingPairs& pairs, const NodePair& of) {
 
 SelfContact self_contact(const RaySheet& sheet) {
   const RayBody& body = sheet.body;
-  const MeetingPairs pairs(sheet.tree);
+  const MeetingPairs pairs(sheet);
   std::vector<NodePair> parted{{0, 0}}, next;
   while (parted.size() < kTasks && body.faces.size() >= kFacesAtOnce) {
     next.clear();

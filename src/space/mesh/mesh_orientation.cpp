@@ -153,20 +153,17 @@ class Orientation {
     bool odd = false;
     for (const int f : s.faces) {
       const auto& face = mesh_.faces[f];
+      Point low = mesh_.vertices[face[0]], high = low;
+      for (const int v : face) widen(low, high, mesh_.vertices[v]);
+      if (p.x < low.x || high.x < p.x || p.y < low.y || high.y < p.y || high.z < p.z) continue;
       const Wide3 n = area_vector(mesh_, face);
       const Point& q = mesh_.vertices[face[0]];
       const exact::Real height = exact::Real(n.x) * exact::Real(p.x - q.x) +  // of p over the plane, times n.z
                                  exact::Real(n.y) * exact::Real(p.y - q.y) + exact::Real(n.z) * exact::Real(p.z - q.z);
-      if (height.sign() == 0 && in_box(face, p)) return std::nullopt;
+      if (height.sign() == 0 && low.z <= p.z) return std::nullopt;
       if (n.z != 0 && (height.sign() > 0) != (n.z > 0) && covers(face, p)) odd = !odd;
     }
     return odd;
-  }
-
-  bool in_box(const std::vector<int>& face, const Point& p) const {
-    Point low = mesh_.vertices[face[0]], high = low;
-    for (const int v : face) widen(low, high, mesh_.vertices[v]);
-    return low.x <= p.x && low.y <= p.y && low.z <= p.z && p.x <= high.x && p.y <= high.y && p.z <= high.z;
   }
 
   /// Whether the face, seen from above, covers p moved by (e, e * e) for every small e > 0.
