@@ -4,6 +4,8 @@
 // Surfaces that cross themselves, in general position and along coincident faces, and surfaces that only touch.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "space/convolution/mesh_crossing.h"
 #include "space/mesh/mesh.h"
 #include "unit/solid_shapes.h"
@@ -61,6 +63,33 @@ TEST(MeshCrossing, ThroughACommonCorner) {
   mesh.vertices = {{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 2, 0}, {1, 1, 2}, {1, 0, -2}};
   mesh.faces = {{4, 0, 1}, {4, 1, 2}, {4, 2, 3}, {4, 3, 0}, {1, 0, 2}, {5, 3, 2}, {5, 2, 0}, {5, 0, 3}};
   EXPECT_TRUE(crosses(mesh));
+}
+
+/// A cone over a fine star: as many faces about its tip, and as many about the middle of its floor.
+Mesh star_cone(int corners, const Point& tip) {
+  Mesh mesh;
+  mesh.vertices = {tip, {0, 0, 0}};
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * M_PI * i / corners, radius = i % 2 == 0 ? 1e6 : 9e5;
+    mesh.vertices.push_back({std::llround(radius * std::cos(angle)), std::llround(radius * std::sin(angle)), 0});
+  }
+  for (int i = 0; i < corners; ++i) {
+    const int a = 2 + i, b = 2 + (i + 1) % corners;
+    mesh.faces.push_back({0, a, b});
+    mesh.faces.push_back({1, b, a});
+  }
+  return mesh;
+}
+
+TEST(MeshCrossing, ManyFacesAboutOneCorner) {
+  for (const int corners : {40, 1000}) {
+    Mesh cone = star_cone(corners, {0, 0, 500000});
+    EXPECT_FALSE(crosses(cone));
+    EXPECT_FALSE(crosses(star_cone(corners, {800000, 100000, 300000})));
+    // A corner of the rim is pulled over to the other side of the fan: faces about the tip cross.
+    cone.vertices[2] = {-1000000, 3000, 1000};
+    EXPECT_TRUE(crosses(cone));
+  }
 }
 
 bool has_inner_walls(const Mesh& mesh) { return self_contact(RaySheet(triangles(mesh))).inner_walls; }

@@ -17,7 +17,7 @@
 #include "space/mesh/mesh_edges.h"
 #include "space/mesh/mesh_orientation.h"
 #include "space/mesh/mesh_repair.h"
-#include "space/mesh/vertex_orders.h"
+#include "space/mesh/vertex_tree.h"
 #include "space/polytope/triangulate.h"
 
 namespace findspace::space {
@@ -143,7 +143,7 @@ bool split_edges(Mesh& mesh, std::vector<std::string>& notes) {
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   if (ends.empty()) return false;
-  const VertexOrders orders(mesh, ends);
+  const VertexTree near(mesh, ends);
   int split = 0;
   for (auto& face : mesh.faces) {
     std::vector<int> ring;
@@ -151,7 +151,7 @@ bool split_edges(Mesh& mesh, std::vector<std::string>& notes) {
       ring.push_back(a);
       if (!odd.contains(undirected(a, b))) return;
       std::vector<int> on;
-      orders.each_near(a, b, 0, [&](int v) {
+      near.each_near(a, b, 0, [&](int v) {
         if (strictly_between(mesh.vertices[a], mesh.vertices[b], mesh.vertices[v])) on.push_back(v);
       });
       const bool rising = mesh.vertices[a] < mesh.vertices[b];

@@ -15,7 +15,7 @@
 
 #include "space/mesh/mesh.h"
 #include "space/mesh/mesh_edges.h"
-#include "space/mesh/vertex_orders.h"
+#include "space/mesh/vertex_tree.h"
 #include "space/polytope/triangulate.h"
 
 namespace findspace::space {
@@ -122,7 +122,7 @@ bool is_beside(const Mesh& mesh, int from, int to, int vertex, std::int64_t widt
 class LeadOver {
  public:
   LeadOver(const Mesh& mesh, std::int64_t width)
-      : mesh_(mesh), width_(width), odd_(odd_edges(mesh)), orders_(mesh, ends_of(odd_)) {}
+      : mesh_(mesh), width_(width), odd_(odd_edges(mesh)), near_(mesh, ends_of(odd_)) {}
 
   /// A face, all sides of which may be led.
   void take(const std::vector<int>& face) { take(face, std::vector<char>(face.size(), 1)); }
@@ -135,7 +135,7 @@ class LeadOver {
   std::vector<int> between(const std::vector<int>& face, int a, int b) const {
     std::vector<int> on;
     if (!odd_.contains(std::minmax(a, b))) return on;
-    orders_.each_near(a, b, width_, [&](int v) {
+    near_.each_near(a, b, width_, [&](int v) {
       if (std::find(face.begin(), face.end(), v) == face.end() && is_beside(mesh_, a, b, v, width_)) on.push_back(v);
     });
     const Point &from = mesh_.vertices[std::size_t(a)], &to = mesh_.vertices[std::size_t(b)];
@@ -186,7 +186,7 @@ class LeadOver {
   const Mesh& mesh_;
   std::int64_t width_;
   std::set<MeshEdge> odd_;
-  VertexOrders orders_;
+  VertexTree near_;
   std::vector<std::vector<int>> faces_;
   std::size_t vertices_ = 0;
 };
