@@ -92,5 +92,39 @@ TEST(Topology, RegularizingIsNotTheInteriorOfTheClosure) {
   EXPECT_FALSE(same_set(regularize(s), interior(closure(s))));
 }
 
+/// A segment and an arc begin at S = (10, 0); their line and circle meet again at T = (8, 0). Turned by quarters.
+TEST(Arrange, ASegmentAndAnArcWithACommonEndMayMeetAgain) {
+  struct Arc {
+    GridPoint to;
+    bool ccw, through_t;
+  };
+  const Arc arcs[] = {{{12, 2}, true, false}, {{6, 2}, false, true}, {{6, 2}, true, false}, {{10, 0}, true, true}};
+  const auto turned = [](GridPoint p, int quarters) {
+    for (int k = 0; k < quarters; ++k) p = {-p.y, p.x};
+    return p;
+  };
+  for (int quarters = 0; quarters < 4; ++quarters) {
+    for (const Arc& arc : arcs) {
+      for (const std::int64_t end : {20, 9, 0}) {
+        PieceBuilder b;
+        const auto add = [&](GridPoint p) {
+          const GridPoint q = turned(p, quarters);
+          return b.geometry.add_grid_point(q.x, q.y);
+        };
+        const GridPoint s{10, 0}, centre = turned({9, 3}, quarters);
+        const Index from = add(s), to = arc.to == s ? from : add(arc.to);
+        b.arc(b.geometry.add(exact::SupportingCurve::circle_at(centre.x, centre.y, sqrt(exact::Real(10)))), from, to,
+              arc.ccw);
+        const Index alone = arrange(b.geometry, b.pieces).vertex_count(), other = add({end, 0});
+        b.segment(b.line(turned(s, quarters), turned({end, 0}, quarters)), from, other,
+                  compare_xy(b.geometry, from, other) < 0);
+        const bool again = arc.through_t && end < 8;
+        EXPECT_EQ(arrange(b.geometry, b.pieces).vertex_count(), alone + 1 + (again ? 1 : 0))
+            << quarters << " " << arc.to.x << " " << arc.ccw << " " << end;
+      }
+    }
+  }
+}
+
 }  // namespace plane_topology
 }  // namespace findspace::plane

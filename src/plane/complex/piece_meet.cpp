@@ -40,6 +40,24 @@ bool is_chord_inside(const Geometry& g, const Piece& segment, const Piece& arc) 
   return certainly_inside(g, segment.p0, circle) && certainly_inside(g, segment.p1, circle);
 }
 
+/// A segment and an arc with a common end: whether they certainly do not meet again. The other root is that end moved
+/// along the line by twice the way to the foot of the centre. Of smooth outlines on a grid the two are close together,
+/// and hard to tell apart.
+bool is_only_meeting(const Geometry& g, const Piece& segment, const Piece& arc, Index shared) {
+  if (segment.half != 0 || arc.half == 0) return false;
+  const auto coordinate = [&](Index point, bool x) {
+    const exact::Point& p = g.points[point];
+    return exact::Approx{x ? p.x : p.y, p.error};
+  };
+  const exact::SupportingCurve& circle = g.supporting_curves[arc.supporting_curve];
+  const Index other = shared == segment.p0 ? segment.p1 : segment.p0;
+  const exact::Approx x = coordinate(shared, true), y = coordinate(shared, false);
+  const exact::Approx along = coordinate(other, true) - x, up = coordinate(other, false) - y;
+  const int way = (along * (circle.x() - x) + up * (circle.y() - y)).sign();
+  if (way < 0) return true;                                       // behind the end of the segment
+  return way > 0 && along.sign() == (shared == arc.p0 ? -1 : 1);  // beside the arc
+}
+
 /// Whether one ends at the x at which the other begins, but not at the same point, so that they do not meet. Of nested
 /// outlines with arcs at their corners most are such.
 bool is_beside(const Geometry& g, const Piece& p, const Piece& q) {
@@ -336,6 +354,7 @@ void PieceMeetings::curves(Index i, Index j) {
   if (shared != kNone) {
     bool smooth_p = shared == p.p0 ? p.smooth0 : p.smooth1, smooth_q = shared == q.p0 ? q.smooth0 : q.smooth1;
     if (smooth_p && smooth_q) return;  // tangent there: a double root, no further meeting
+    if (is_only_meeting(g_, p, q, shared) || is_only_meeting(g_, q, p, shared)) return;
   } else if (is_beside(g_, p, q)) {
     return;
   }
