@@ -8,6 +8,7 @@
 #include <atomic>
 #include <chrono>
 #include <stdexcept>
+#include <string>
 #include <thread>
 
 #include "plane/base/parallel.h"
@@ -43,6 +44,24 @@ TEST(Parallel, WorkWithinATaskIsDoneWholeWhereAnotherTaskThrows) {
   };
   EXPECT_THROW(parallel_for(2, outer), std::invalid_argument);
   EXPECT_EQ(done_at_return, kTasks);
+}
+
+TEST(Parallel, TheFirstTaskThatThrowsIsTheOneThatIsHeard) {
+  for (int round = 0; round < 20; ++round) {
+    std::atomic<bool> thrown{false};
+    const auto task = [&](std::size_t k) {
+      if (k < 3) return;
+      if (k == 3) wait_for(thrown);
+      thrown = true;
+      throw std::invalid_argument(std::to_string(k));
+    };
+    try {
+      parallel_for(64, task);
+      FAIL();
+    } catch (const std::invalid_argument& e) {
+      EXPECT_STREQ(e.what(), "3");
+    }
+  }
 }
 
 }  // namespace plane_parallel

@@ -5,7 +5,11 @@
 
 #include <tbb/global_control.h>
 
+#include <atomic>
+#include <exception>
 #include <functional>
+#include <mutex>
+#include <utility>
 
 #include "plane/base/result_store.h"
 #include "plane/base/search_work.h"
@@ -14,6 +18,30 @@
 #include "plane/base/tasks.h"
 
 namespace findspace::plane {
+namespace {
+
+/// What the first of some tasks throws, in their order. Those after one that threw need not run.
+class FirstError {
+ public:
+  explicit FirstError(std::size_t count) : task_(count) {}
+  bool is_before(std::size_t task) const { return task_ < task; }
+  void add(std::size_t task, std::exception_ptr error) {
+    const std::lock_guard lock(guard_);
+    if (is_before(task)) return;
+    task_ = task;
+    error_ = std::move(error);
+  }
+  void rethrow() const {
+    if (error_) std::rethrow_exception(error_);
+  }
+
+ private:
+  std::atomic<std::size_t> task_;
+  std::mutex guard_;
+  std::exception_ptr error_;
+};
+
+}  // namespace
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& task) {
   StopCheck* const limit = stop_check();
@@ -31,7 +59,16 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& tas
     for (std::size_t k = 0; k < count; ++k) run(k);
     return;
   }
-  run_tasks(count, std::cref(run));
+  FirstError error(count);
+  run_tasks(count, [&](std::size_t k) {
+    if (error.is_before(k)) return;
+    try {
+      run(k);
+    } catch (...) {
+      error.add(k, std::current_exception());
+    }
+  });
+  error.rethrow();
 }
 
 std::size_t range_count(std::size_t items, std::size_t many) {
