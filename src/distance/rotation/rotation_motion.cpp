@@ -269,12 +269,36 @@ std::optional<ValueRange> RotatingMotion::extremum(const RealPoint& p, Sense sen
 }
 
 std::optional<ValueRange> RotatingMotion::plain_extremum(const RealPoint& p, const Searched& search) const {
-  if (which_ == Which::kDiameter) {
-    const auto v = of(Which::kGamma2).plain_extremum(p, search);
-    return v ? std::optional(greater(*v, own_diameter(*shapes_))) : v;
-  }
+  return shapes_->extremum({which_, search.least, search.enough, search.effort == Effort::kFine, p},
+                           [&] { return searched_extremum(p, search); });
+}
+
+std::optional<ValueRange> RotatingMotion::searched_extremum(const RealPoint& p, const Searched& search) const {
+  if (auto v = composed_extremum(p, search)) return v;
   if (auto v = extremum_by_boundaries(p, search)) return v;
   return extremum_of_all(p, search);
+}
+
+std::optional<ValueRange> RotatingMotion::composed_extremum(const RealPoint& p, const Searched& search) const {
+  const auto known = [&](Which which, bool least) {
+    auto v = of(which).plain_extremum(p, {least, search.enough, search.effort});
+    return v && std::isfinite(v->low) && std::isfinite(v->high) ? v : std::nullopt;
+  };
+  if (which_ == Which::kDiameter) {
+    const auto v = known(Which::kGamma2, search.least);
+    return v ? std::optional(greater(*v, own_diameter(*shapes_))) : std::nullopt;
+  }
+  if (which_ == Which::kH || which_ == Which::kHBack) {
+    const auto v = known(which_ == Which::kH ? Which::kMu : Which::kMuBack, search.least);
+    return v ? std::optional(greater(*v, {0, 0})) : std::nullopt;
+  }
+  if (is_covered(which_)) {
+    const auto v = known(plain_of_covered(which_), !search.least);
+    return v ? std::optional(penetration(*v)) : std::nullopt;
+  }
+  if (which_ != Which::kHausdorff || search.least) return std::nullopt;
+  const auto v = known(Which::kH, false), w = known(Which::kHBack, false);
+  return v && w ? std::optional(greater(*v, *w)) : std::nullopt;
 }
 
 std::optional<ValueRange> RotatingMotion::extremum_by_boundaries(const RealPoint& p, const Searched& search) const {

@@ -96,6 +96,9 @@ class RotatingMotion {
   std::optional<ValueRange> plain_instant(const exact::RealPoint& p, std::size_t leg, const exact::Real& s) const;
   /// The least or the greatest value; of a penetration that of the gap.
   std::optional<ValueRange> plain_extremum(const exact::RealPoint& p, const Searched& search) const;
+  std::optional<ValueRange> searched_extremum(const exact::RealPoint& p, const Searched& search) const;
+  /// Of what is made of other distances, where they have values.
+  std::optional<ValueRange> composed_extremum(const exact::RealPoint& p, const Searched& search) const;
   /// Where boundaries alone tell it: a gap of shapes that are apart, an eta1 or delta1 that is not above 0.
   std::optional<ValueRange> extremum_by_boundaries(const exact::RealPoint& p, const Searched& search) const;
   std::optional<ValueRange> extremum_apart(const exact::RealPoint& p, const Searched& search) const;

@@ -8,6 +8,7 @@
 
 #include "distance/planar_features/boundary_features.h"
 #include "distance/rotation/rated_gap.h"
+#include "plane/base/search_work.h"
 #include "plane/build/transform.h"
 #include "plane/query/scaled.h"
 
@@ -72,6 +73,32 @@ TurningShapes::Standing TurningShapes::made(std::size_t leg, const Real& s) cons
   plane::Region b = rotated(b_, between(from.moving, to.moving, s)), a = rotated(a_, between(from.fixed, to.fixed, s));
   // Two shapes; ends of an arc carry its bulge along: twice what they moved.
   return {std::make_shared<AtPosition>(std::make_shared<ShapePair>(std::move(b), std::move(a))), 4 * rounding.largest};
+}
+
+bool TurningShapes::ExtremumAsked::operator==(const ExtremumAsked& other) const {
+  // no sign: the same number is asked for
+  return which == other.which && least == other.least && enough == other.enough && fine == other.fine &&
+         at.x == other.at.x && at.y == other.at.y;
+}
+
+std::optional<ValueRange> TurningShapes::extremum(const ExtremumAsked& asked,
+                                                  const std::function<std::optional<ValueRange>()>& search) const {
+  constexpr std::size_t kMostExtrema = 64;
+  const plane::SearchQuestion question;
+  const long left = question.work().left;
+  {
+    const std::lock_guard lock(guard_);
+    for (const FoundExtremum& k : extrema_) {
+      if (!(k.asked == asked) || k.work >= left) continue;
+      plane::count_cells(k.work);
+      return k.found;
+    }
+  }
+  const std::optional<ValueRange> out = search();
+  if (question.work().spent()) return out;  // perhaps it was cut short
+  const std::lock_guard lock(guard_);
+  if (extrema_.size() < kMostExtrema) extrema_.push_back({asked, out, left - question.work().left});
+  return out;
 }
 
 TurningShapes::Standing TurningShapes::standing(std::size_t leg, const Real& s) const {

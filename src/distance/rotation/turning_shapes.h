@@ -3,10 +3,12 @@
 //
 // Two shapes as they stand at instants of a motion: rotated about their origins, the vertices rounded to a grid finer
 // than the scene's by up to 2^20. Questions about different distances and positions share them: the instants that
-// halving a leg leads to are kept, as far as little memory allows. Guarantee: the same shapes whether they were kept or
-// not. Threads: safe. Cost: one arrangement of each shape an instant. Keywords: snapshot, cache.
+// halving a leg leads to are kept, as far as little memory allows, and so are extrema over the time, which several
+// distances are made of. Guarantee: the same whether they were kept or not. Threads: safe. Cost: one arrangement of
+// each shape an instant. Keywords: snapshot, cache.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -15,6 +17,7 @@
 #include <vector>
 
 #include "distance/planar/at_position.h"
+#include "distance/planar_least/best_position.h"
 
 namespace findspace::distance {
 
@@ -58,6 +61,19 @@ class TurningShapes {
   /// Where B is moved to then from where it stands, on the fine grid, at a position in grid steps.
   exact::RealPoint place(const exact::RealPoint& p, std::size_t leg, const exact::Real& s) const;
 
+  /// What is asked about the values of a distance over the time.
+  struct ExtremumAsked {
+    Which which;
+    bool least;
+    double enough;  // how near its bounds are to be
+    bool fine;      // with more work
+    exact::RealPoint at;
+    bool operator==(const ExtremumAsked& other) const;
+  };
+  /// As `search` finds it, and for the same work; asked but once as long as few are asked.
+  std::optional<ValueRange> extremum(const ExtremumAsked& asked,
+                                     const std::function<std::optional<ValueRange>()>& search) const;
+
   const std::vector<RotatingPose>& poses() const { return poses_; }
   double factor() const { return factor_; }  // steps of the fine grid in one
   double b_reach() const { return b_reach_; }
@@ -81,6 +97,12 @@ class TurningShapes {
   std::vector<RotatingPose> poses_;
   mutable std::mutex guard_;
   mutable std::map<Instant, Standing> kept_;
+  struct FoundExtremum {
+    ExtremumAsked asked;
+    std::optional<ValueRange> found;
+    long work;
+  };
+  mutable std::vector<FoundExtremum> extrema_;
   mutable std::optional<bool> b_convex_, a_convex_;  // where asked for
 };
 
