@@ -6,17 +6,22 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
+#include <optional>
+#include <span>
 #include <tuple>
 #include <vector>
 
 #include "distance/rotation/motion_maps.h"
 #include "distance/rotation/rated_gap.h"
+#include "distance/rotation/rotated_pair.h"
 #include "distance/rotation/rotation_in_time.h"
 #include "distance/rotation/rotation_least.h"
 #include "distance/rotation/rotation_motion.h"
 #include "distance/rotation/rotational_by_position.h"
 #include "distance/rotation/squared_bound.h"
 #include "distance_shapes.h"
+#include "plane/base/parallel.h"
 #include "plane/query/topology.h"
 #include "plane/walk/unite.h"
 
@@ -248,12 +253,13 @@ TEST(SquaredBound, OfTwoPointsOnArms) {
 /// A distance that is 5 steps at every angle, as far as the work reaches.
 TEST(RotationLeast, EndsWithItsWork) {
   const auto constant = [](const Real& level) {
+    plane::count_cells(100);
     return plane::RotationMap::uniform(plane::Mark(compare(Real(5), level)));
   };
   const auto least = [&](long work) {
     plane::SearchWork left{work};
     const plane::ScopedSearchWork here(&left);
-    RotatedLevels levels(constant, Real(1), 100);
+    RotatedLevels levels(constant, Real(1));
     return least_rotation(levels, plane::RotationMap::uniform(1), false);
   };
   EXPECT_EQ(*least(100'000).value(), Real(5));
@@ -356,6 +362,101 @@ TEST(RotatingMotion, AnErrorSaysItsPlaceInTheUnit) {
   });
   // By motion_maps.
   expect_in_unit([&](double step) { rotation_position_maps(kSquare, thin, gap, at(7, 9), 170, step); });
+}
+
+/// What is cut short is not kept.
+TEST(TurningShapes, ExtremaAreSearchedForOnceAndCountTheSame) {
+  const TurningShapes shapes(box(0, 0, 9, 9), box(4, 4, 8, 8), turning(0, 40), 1);
+  int searches = 0;
+  const auto search = [&] {
+    ++searches;
+    plane::count_cells(100);
+    return std::optional(ValueRange{1, 2});
+  };
+  const auto left_of = [&](long cells, const exact::RealPoint& at) {
+    plane::SearchWork work{cells};
+    const plane::ScopedSearchWork here(&work);
+    EXPECT_EQ(shapes.extremum({Which::kMu, true, 0, false, at}, search)->high, 2);
+    return work.left;
+  };
+  EXPECT_EQ(left_of(100, at(0, 0)), 0);
+  EXPECT_EQ(left_of(1000, at(0, 0)), 900);
+  EXPECT_EQ(searches, 2);
+  EXPECT_EQ(left_of(1000, at(0, 0)), 900);
+  EXPECT_EQ(searches, 2);
+  EXPECT_EQ(left_of(50, at(0, 0)), -50);
+  EXPECT_EQ(left_of(1000, at(1, 0)), 900);
+  EXPECT_EQ(searches, 4);
+}
+
+TEST(RotatingMotion, WhatIsMadeOfProtrusionsIsThatAtAllInstants) {
+  const Region corner =
+      polygon({{-9000, -9000}, {9000, -9000}, {9000, -3000}, {-3000, -3000}, {-3000, 9000}, {-9000, 9000}});
+  const Region other = polygon({{-4000, -8000}, {5000, -8000}, {0, 6000}});
+  const auto shapes = std::make_shared<const TurningShapes>(other, corner, turning(0, 300), 1);
+  for (const Which which : {Which::kH, Which::kHBack, Which::kHausdorff, Which::kDstar, Which::kDstarBack}) {
+    const RotatingMotion f(shapes, which);
+    for (const exact::RealPoint& p : {at(0, 0), at(-3000, -2000), at(9000, 1000)}) {
+      const auto least = f.extremum(p, Sense::kMinimum), most = f.extremum(p, Sense::kMaximum);
+      ASSERT_TRUE(least && most);
+      double lowest = INFINITY, highest = -INFINITY;
+      for (int k = 0; k <= 64; ++k) {
+        const auto v = f.instant(p, 0, Real::ratio(k, 64));
+        ASSERT_TRUE(v);
+        EXPECT_GE(v->high, least->low);
+        EXPECT_LE(v->low, most->high);
+        lowest = std::min(lowest, v->high);
+        highest = std::max(highest, v->low);
+      }
+      EXPECT_LE(least->high, lowest + 1e-6);
+      EXPECT_GE(most->low, highest - 1e-6);
+      EXPECT_LT(least->high - least->low, 100);
+      EXPECT_LT(most->high - most->low, 100);
+    }
+  }
+}
+
+/// Below 0 corners decide, and cost more; of few angles less is asked.
+TEST(RotatedPair, MapsCountTheirWork) {
+  const Region b = polygon({{-9, -2}, {9, -3}, {7, 4}, {0, 6}}), a = polygon({{2, -8}, {14, -5}, {9, 3}, {4, 1}});
+  const RotatedPair pair(b, a, at(0, 0), at(0, 0));
+  const plane::RotationMap few{
+      {exact::Angle::of_degrees(Real(20)), exact::Angle::of_degrees(Real(21))}, {1, 1}, {1, 0}};
+  const auto work = [](const RotatedPair& of, int level, unsigned threads) {
+    const plane::ThreadLimit limit(threads);
+    plane::SearchWork all{1'000'000};
+    const plane::ScopedSearchWork here(&all);
+    of.sign_map(Which::kGamma1, Real(level));
+    return 1'000'000 - all.left;
+  };
+  const long contacts = work(pair, 1, 1), corners = work(pair, -1, 1);
+  EXPECT_GT(contacts, 20);
+  EXPECT_GT(corners, 2 * contacts);
+  EXPECT_EQ(work(pair, 1, 2), contacts);
+  EXPECT_EQ(work(pair, -1, 2), corners);
+  EXPECT_LT(work(pair.within(few), -1, 1), corners);
+}
+
+/// Whatever is asked, the signs within a set are those of the whole map.
+TEST(RotatedPair, SignsWithinASetAreThoseOfAllAngles) {
+  const Region b = polygon({{-9, -2}, {9, -3}, {7, 4}, {0, 6}}), a = polygon({{2, -8}, {14, -5}, {9, 3}, {4, 1}});
+  const RotatedPair pair(b, a, at(1, 0), at(2, 1));
+  const auto place = [](int degrees) { return exact::Angle::of_degrees(Real(degrees)); };
+  const plane::RotationMap sets[] = {{{place(20), place(70)}, {1, 1}, {1, 0}},
+                                     {{place(20), place(300)}, {0, 1}, {0, 1}}};
+  for (const Which which : {Which::kGamma1, Which::kGamma2, Which::kEta1, Which::kEta2, Which::kDelta1, Which::kMu,
+                            Which::kMuBack, Which::kHausdorff, Which::kPenetration, Which::kDstar}) {
+    for (const int level : {-2, 0, 3}) {
+      const plane::RotationMap whole = pair.sign_map(which, Real(level));
+      for (const plane::RotationMap& set : sets) {
+        const plane::RotationMap part = pair.within(set).sign_map(which, Real(level));
+        const plane::RotationMap wrong =
+            plane::overlay(std::array<const plane::RotationMap*, 3>{&set, &whole, &part},
+                           [](std::span<const plane::Mark> m) { return plane::Mark(m[0] != 0 && m[1] != m[2]); });
+        EXPECT_TRUE(plane::intervals(wrong).empty()) << int(which) << " " << level;
+      }
+    }
+  }
 }
 
 }  // namespace distance_rotation_motion

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <utility>
+
 #include "plane/rotation/rotation_map.h"
 
 namespace findspace::plane {
@@ -28,6 +31,39 @@ TEST(RotationInterval, DegreesOfIntervalsThatDoublesDoNotTellFromNoneOrAll) {
     EXPECT_EQ(width(single), 0);
     EXPECT_EQ(round.degrees()[1], round.degrees()[0] + 360);
   }
+}
+
+/// Eight events, and sets of which some begin, end or lie between them.
+TEST(RotationMap, MarksWithinASetAreThoseOfAllAngles) {
+  std::vector<exact::ExactAngle> events;
+  for (int k = 0; k < 8; ++k) events.push_back(exact::ExactAngle::near(45 * k + 10, 30));
+  const auto place = [&](const exact::ExactAngle& t) { return int(t.degrees() * 1000); };
+  const auto at = [](double degrees) { return Angle{exact::ExactAngle::near(degrees, 30), Real()}; };
+  const RotationMap all = RotationMap::uniform(1);
+  std::vector<RotationMap> sets{all, RotationMap::uniform(0)};
+  for (const auto& [from, to] : {std::pair(20.0, 30.0), {5.0, 56.0}, {10.0, 10.5}, {100.0, 300.0}, {330.0, 350.0}}) {
+    sets.push_back({{at(from), at(to)}, {1, 0}, {1, 0}, 0});
+    sets.push_back({{at(from), at(to)}, {1, 0}, {0, 1}, 0});
+    sets.push_back({{at(from)}, {1}, {0}, 0});
+  }
+  std::atomic<int> looks{0};
+  const auto look = [&]() -> AngleMark {
+    return [&](std::size_t, const exact::ExactAngle& t) {
+      ++looks;
+      return Mark(place(t) / 7 % 3 - 1);
+    };
+  };
+  const RotationMap whole = marks_within(all, events, look);
+  EXPECT_EQ(looks, 16);
+  for (const RotationMap& set : sets) {
+    looks = 0;
+    const RotationMap part = marks_within(set, events, look);
+    EXPECT_LE(looks, 16);
+    const std::array<const RotationMap*, 3> maps{&set, &whole, &part};
+    const RotationMap wrong = overlay(maps, [](std::span<const Mark> m) { return Mark(m[0] != 0 && m[1] != m[2]); });
+    EXPECT_TRUE(intervals(wrong).empty());
+  }
+  EXPECT_EQ(looks, 1);
 }
 
 }  // namespace plane_rotation_map

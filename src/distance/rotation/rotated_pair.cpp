@@ -42,9 +42,33 @@ RotationMap combined(const RotationMap& f, const RotationMap& g, const Mark& (*c
 RotatedPair::RotatedPair(Region b, Region a, exact::RealPoint about, exact::RealPoint to)
     : b_(std::move(b)), a_(std::move(a)), about_(std::move(about)), to_(std::move(to)) {}
 
+RotatedPair RotatedPair::within(RotationMap set) const {
+  RotatedPair out = *this;
+  out.within_ = std::move(set);
+  return out;
+}
+
+bool RotatedPair::asks_for_corners(Which which, const Real& level) {
+  switch (which) {
+    case Which::kGamma1:
+      return level.sign() < 0;
+    case Which::kEta1:
+    case Which::kDelta1:
+    case Which::kPenetration:
+      return level.sign() > 0;
+    case Which::kEta2:
+    case Which::kDelta2:
+      return level.sign() >= 0;
+    default:
+      return false;
+  }
+}
+
 /// B over a map of A's, or A rotated back over one of B's.
-RotatedContact::Pair RotatedPair::rotated(const SignMap& fixed, bool back) const {
-  return {back ? a_ : b_, fixed, back ? to_ : about_, back ? about_ : to_};
+RotationMap RotatedPair::contact(const SignMap& fixed, bool back, Mark (*rule)(MarkSet), MarkSet enough) const {
+  const RotatedContact::Pair pair{back ? a_ : b_, fixed, back ? to_ : about_, back ? about_ : to_};
+  if (!back) return RotatedContact::rotation_map(pair, rule, enough, within_);
+  return plane::mirrored(RotatedContact::rotation_map(pair, rule, enough, plane::mirrored(within_)));
 }
 
 RotationMap RotatedPair::sign_map(Which which, const Real& level) const {
@@ -92,18 +116,16 @@ RotationMap RotatedPair::least(const Real& level) const {
 
 RotationMap RotatedPair::nearest_point(const Real& level) const {
   const SignMap around_a = of_point(a_, Which::kGamma1, level);
-  RotationMap map = RotatedContact::rotation_map(rotated(around_a, false), least_of, plane::kNegative);
+  RotationMap map = contact(around_a, false, least_of, plane::kNegative);
   if (level.sign() > 0 || plane::is_regular(a_)) return map;
   // Curves of A inside B: interiors of B and A do not see them, U of distances.md 3.9 does.
   const SignMap around_b = of_point(b_, Which::kGamma1, level);
-  const RotationMap back = RotatedContact::rotation_map(rotated(around_b, true), least_of, plane::kNegative);
-  return combined(map, plane::mirrored(back), std::min<Mark>);
+  return combined(map, contact(around_b, true, least_of, plane::kNegative), std::min<Mark>);
 }
 
 RotationMap RotatedPair::greatest(Which which, const Real& level, bool back) const {
   const SignMap fixed = of_point(back ? b_ : a_, which, level);
-  RotationMap map = RotatedContact::rotation_map(rotated(fixed, back), greatest_of, plane::kPositive);
-  return back ? plane::mirrored(map) : map;
+  return contact(fixed, back, greatest_of, plane::kPositive);
 }
 
 RotationMap RotatedPair::contained(const Real& level, bool back) const {
@@ -119,7 +141,8 @@ RotationMap RotatedPair::free(const Real& level, bool inside, bool back, bool fa
   const RotatedFree::Pair pair = back ? RotatedFree::Pair{a_, b_, to_, about_, around_b, around_a}
                                       : RotatedFree::Pair{b_, a_, about_, to_, around_a, around_b};
   const RotatedFree free(pair, inside ? RotatedFree::Keep::kInside : RotatedFree::Keep::kApart);
-  RotationMap map = farthest ? free.farthest(level) : free.nearest(level);
+  const RotationMap there = back ? plane::mirrored(within_) : within_;
+  RotationMap map = farthest ? free.farthest(level, there) : free.nearest(level, there);
   return back ? plane::mirrored(map) : map;
 }
 

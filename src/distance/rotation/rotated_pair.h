@@ -23,7 +23,11 @@ class RotatedPair {
  public:
   /// Closed sets, B bounded; B stands at { to + rotated(b - about) : b in B }.
   RotatedPair(plane::Region b, plane::Region a, exact::RealPoint about, exact::RealPoint to);
+  /// The same, of which only the angles of a set are asked; elsewhere any signs are said.
+  RotatedPair within(plane::RotationMap set) const;
 
+  /// Whether corners of sums decide, which costs much more.
+  static bool asks_for_corners(Which which, const exact::Real& level);
   plane::RotationMap sign_map(Which which, const exact::Real& level) const;
   /// Of the least signed distance of a point of B to A: at level 0 the signs of gamma1, below it of how deep single
   /// points lie, which changes no faster than the shapes. Where A has no inside, of A's points in B as well.
@@ -31,7 +35,8 @@ class RotatedPair {
 
  private:
   plane::RotationMap least(const exact::Real& level) const;
-  plane::RotatedContact::Pair rotated(const plane::SignMap& fixed, bool back) const;
+  plane::RotationMap contact(const plane::SignMap& fixed, bool back, plane::Mark (*rule)(plane::MarkSet),
+                             plane::MarkSet enough) const;
   plane::RotationMap greatest(Which which, const exact::Real& level, bool back) const;
   plane::RotationMap contained(const exact::Real& level, bool back) const;
   plane::RotationMap free(const exact::Real& level, bool inside, bool back, bool farthest) const;
@@ -40,6 +45,7 @@ class RotatedPair {
 
   plane::Region b_, a_;
   exact::RealPoint about_, to_;
+  plane::RotationMap within_ = plane::RotationMap::uniform(1);
 };
 
 }  // namespace findspace::distance

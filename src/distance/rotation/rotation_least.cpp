@@ -12,9 +12,9 @@
 
 namespace findspace::distance {
 
+using plane::closure;
 using plane::intervals;
 using plane::Mark;
-using plane::merged;
 using plane::overlay;
 using plane::RotationInterval;
 using plane::RotationMap;
@@ -25,11 +25,6 @@ using exact::Angle;
 using exact::Real;
 
 constexpr Mark kOn = 1, kBelow = 2;
-
-RotationMap closure(RotationMap set) {
-  for (std::size_t k = 0; k < set.at.size(); ++k) set.here[k] = std::max({set.here[k], set.after[k], set.before(k)});
-  return merged(std::move(set));
-}
 
 bool has(const RotationMap& map, Mark least) {
   const auto is = [least](Mark m) { return m >= least; };
@@ -74,7 +69,6 @@ const RotationMap& RotatedLevels::at(double steps) {
   const auto found = made_.find(steps);
   if (found != made_.end()) return found->second;
   if (plane::StopCheck* const check = plane::stop_check()) check->poll();
-  plane::count_cells(cells_);
   return made_.emplace(steps, signs_(level(steps))).first->second;
 }
 

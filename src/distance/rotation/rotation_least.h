@@ -22,13 +22,12 @@ namespace findspace::distance {
 /// Marks 1 at the angles.
 using RotationOptimum = OptimumOf<plane::RotationMap>;
 
-/// The sign maps of f minus a level. Each is made once, and counts as work.
+/// The sign maps of f minus a level, where a set lies and its ends. Each is made once, and counts its work.
 class RotatedLevels {
  public:
   using Signs = std::function<plane::RotationMap(const exact::Real&)>;
-  /// `step`: f tends to be a multiple of it. `cells`: the work of a map.
-  RotatedLevels(Signs signs, exact::Real step, long cells)
-      : signs_(std::move(signs)), step_(std::move(step)), cells_(cells) {}
+  /// `step`: f tends to be a multiple of it.
+  RotatedLevels(Signs signs, exact::Real step) : signs_(std::move(signs)), step_(std::move(step)) {}
 
   exact::Real level(double steps) const { return exact::Real::from_double(steps) * step_; }
   const plane::RotationMap& at(double steps);
@@ -38,7 +37,6 @@ class RotatedLevels {
  private:
   Signs signs_;
   exact::Real step_;
-  long cells_;
   std::map<double, plane::RotationMap> made_;
 };
 

@@ -65,6 +65,14 @@ bool RotationPolynomial::is_zero() const {
   return std::all_of(c_.begin(), c_.end(), [](const Real& c) { return c.sign() == 0; });
 }
 
+bool RotationPolynomial::is_rational() const {
+  return std::all_of(c_.begin(), c_.end(), [](const Real& c) { return c.is_rational(); });
+}
+
+bool RotationPolynomial::is_closed() const {
+  return std::all_of(c_.begin(), c_.end(), [](const Real& c) { return c.is_closed(); });
+}
+
 std::vector<ExactAngle> RotationPolynomial::rotations_between(double from, double to, int quarters) const {
   const double middle = quarters * std::numbers::pi / 2;
   const Real lo = Real::from_double(std::tan((from - middle) / 2)), hi = Real::from_double(std::tan((to - middle) / 2));

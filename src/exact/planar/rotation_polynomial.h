@@ -27,6 +27,8 @@ class RotationPolynomial {
   friend RotationPolynomial operator*(const Real& s, const RotationPolynomial& a);
 
   bool is_zero() const;
+  bool is_rational() const;  // each coefficient
+  bool is_closed() const;
   /// The rotations at which it is 0, in the radians from - to, which lie within an eighth of a circle and a little more
   /// of `quarters`.
   std::vector<ExactAngle> rotations_between(double from, double to, int quarters) const;

@@ -60,10 +60,7 @@ class AngleGround : public KnownCells {
     return out;
   }
   CommonRelaxation together(const std::optional<Real>& enough) override {
-    const FindPlace find = [this](const Formula& near) {
-      for (const SignMap& m : near.sign_maps()) plane::count_cells(maps_.cells(m.distance));
-      return angle_in(maps_.feasible(near));
-    };
+    const FindPlace find = [this](const Formula& near) { return angle_in(maps_.feasible(near)); };
     return counted([&] { return common_relaxation(find, maps_.world().step(), demands(), enough); });
   }
 
@@ -79,7 +76,8 @@ class AngleGround : public KnownCells {
   /// With a share of the work that is left.
   template <class Search>
   std::invoke_result_t<Search> counted(const Search& search) {
-    plane::SearchWork share{work_.left / plane::kShareOfSearch};
+    constexpr long kShareOfAngles = 3;  // some ten seconds of the first one
+    plane::SearchWork share{work_.left / kShareOfAngles};
     work_.left -= share.left;
     const plane::ScopedSearchWork here(&share);
     auto out = search();

@@ -4,6 +4,8 @@
 #include "formula/planar/rotation_maps.h"
 
 #include <algorithm>
+#include <bit>
+#include <numeric>
 
 #include "distance/rotation/rotated_directional.h"
 #include "distance/rotation/rotated_pair.h"
@@ -55,6 +57,23 @@ bool jumps(const Distance& d, distance::Sense sense) {
   return !has_rate(d.kind) || d.kind == (least ? Kind::kPenetration : Kind::kGamma1);
 }
 
+/// Where the maps that are known leave the truth open.
+RotationMap undecided(const Formula& formula, const std::vector<RotationMap>& maps,
+                      std::span<const std::size_t> known) {
+  std::vector<const RotationMap*> operands;
+  for (const std::size_t k : known) operands.push_back(&maps[k]);
+  std::vector<Mark> bounds;
+  for (std::size_t k = 0; k < maps.size(); ++k) bounds.insert(bounds.end(), {-1, 1});
+  return plane::overlay(operands, [&](std::span<const Mark> marks) {
+    for (std::size_t i = 0; i < known.size(); ++i) bounds[2 * known[i]] = bounds[2 * known[i] + 1] = marks[i];
+    return Mark(certainty(formula, bounds) == 1);
+  });
+}
+
+void refuse_twice(const Distance& d) {
+  refuse(d, "about another point than \"about\" names it is known between bounds only");
+}
+
 /// The least step of values that a search of extrema tells apart.
 Real step_of_values(const PreparedWorld& world, const Distance& d) {
   return d.mode == Mode::kRotation ? Real::ratio(1, 1000000) : world.step();  // no sign: values are tried on it
@@ -95,12 +114,6 @@ RotationMaps::Contacts RotationMaps::contacts(const Distance& rotating) const {
   return out;
 }
 
-long RotationMaps::cells(const Distance& distance) const {
-  constexpr std::size_t kOfMap = 50, kOfPair = 40;
-  const auto edges = [&](const std::vector<std::string>& names) { return world_.shape(names)->edges.size(); };
-  return static_cast<long>(kOfMap + kOfPair * edges(distance.first) * edges(distance.second));
-}
-
 RotationMap RotationMaps::directional_map(const Distance& wanted, const Real& level) const {
   const Distance d = moving_first(wanted, world_.world().moving);
   const Which which = world_.which(d);
@@ -111,7 +124,7 @@ RotationMap RotationMaps::directional_map(const Distance& wanted, const Real& le
                                        direction(d), level);
 }
 
-RotationMap RotationMaps::sign_map(const SignMap& wanted) const {
+RotationMap RotationMaps::sign_map(const SignMap& wanted, const RotationMap& within) const {
   const Distance& d = wanted.distance;
   require_static(d);
   if (wanted.minimum) {
@@ -119,19 +132,42 @@ RotationMap RotationMaps::sign_map(const SignMap& wanted) const {
     return plane::remark(best(d, all, distance::Sense::kMinimum).at, [](Mark k) { return Mark(k > 0 ? 0 : 1); });
   }
   if (d.mode == Mode::kRotation && !is_plain_level(wanted)) {
-    if (rotations_twice(wanted)) refuse(d, "about another point than \"about\" names it is known between bounds only");
+    if (rotations_twice(wanted)) refuse_twice(d);
     const Contacts c = contacts(d);
     return c.farthest ? distance::farthest_rotation_sign_map(c.base, wanted.level)
                       : distance::rotation_sign_map(c.base, wanted.level);
   }
   if (is_directional(d)) return directional_map(d, wanted.level / world_.step());
   const PairAndDistance t = rotated_pair(*this, d);
-  return t.pair.sign_map(t.which, wanted.level / world_.step());
+  return t.pair.within(within).sign_map(t.which, wanted.level / world_.step());
+}
+
+int RotationMaps::cost(const SignMap& wanted) const {
+  const Distance& d = wanted.distance;
+  require_static(d);
+  if (rotations_twice(wanted)) refuse_twice(d);
+  if (wanted.minimum) return 3;
+  if (d.mode == Mode::kRotation) return 0;
+  if (is_directional(d)) return 2;
+  const Which which = world_.which(moving_first(d, world_.world().moving));
+  return RotatedPair::asks_for_corners(which, wanted.level) ? 1 : 0;
 }
 
 RotationMap RotationMaps::feasible(const Formula& formula) const {
-  std::vector<RotationMap> maps;
-  for (const SignMap& wanted : formula.sign_maps()) maps.push_back(sign_map(wanted));
+  const auto& wanted = formula.sign_maps();
+  std::vector<int> costs;
+  for (const SignMap& m : wanted) costs.push_back(cost(m));
+  std::vector<std::size_t> order(wanted.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t p, std::size_t q) { return costs[p] < costs[q]; });
+  std::vector<RotationMap> maps(wanted.size(), RotationMap::uniform(0));
+  RotationMap open = RotationMap::uniform(1);
+  for (std::size_t known = 0; known < order.size(); ++known) {
+    // After every map would cost the square of their number.
+    if (known > 0 && std::has_single_bit(known)) open = undecided(formula, maps, std::span(order).first(known));
+    if (plane::intervals(open).empty()) break;
+    maps[order[known]] = sign_map(wanted[order[known]], open);
+  }
   std::vector<const RotationMap*> operands;
   for (const RotationMap& m : maps) operands.push_back(&m);
   return plane::overlay(operands, [&](std::span<const Mark> marks) { return Mark(evaluate(formula, marks)); });
@@ -140,10 +176,12 @@ RotationMap RotationMaps::feasible(const Formula& formula) const {
 distance::RotationOptimum RotationMaps::best(const Distance& d, const RotationMap& within,
                                              distance::Sense sense) const {
   const bool least = sense == distance::Sense::kMinimum;
+  const RotationMap there = plane::closure(within);
   const auto sign = [&](const Real& level) {
-    return least ? sign_map({d, level}) : plane::remark(sign_map({d, -level}), [](Mark k) { return Mark(-k); });
+    return least ? sign_map({d, level}, there)
+                 : plane::remark(sign_map({d, -level}, there), [](Mark k) { return Mark(-k); });
   };
-  distance::RotatedLevels levels(sign, step_of_values(world_, d), cells(d));
+  distance::RotatedLevels levels(sign, step_of_values(world_, d));
   const auto search = [&](bool jumping) { return distance::least_rotation(levels, within, jumping); };
   distance::RotationOptimum best = search(false);
   // The greatest gap, where it is above 0, is the limit of those near it.

@@ -25,10 +25,10 @@ class RotationMaps {
   /// Where the point that the shape rotates about is in the scene.
   exact::RealPoint centre() const;
 
-  plane::RotationMap sign_map(const SignMap& wanted) const;
-  /// The work of one for that distance (search_work.h).
-  long cells(const Distance& distance) const;
-  /// {angle : the formula holds}.
+  /// The signs at the angles of a set; elsewhere any.
+  plane::RotationMap sign_map(const SignMap& wanted,
+                              const plane::RotationMap& within = plane::RotationMap::uniform(1)) const;
+  /// {angle : the formula holds}. Distances that cost more are asked for where the others do not decide it.
   plane::RotationMap feasible(const Formula& formula) const;
   /// Where in a set of angles a distance is least or greatest; the value in the scene's unit, or in degrees.
   distance::RotationOptimum best(const Distance& distance, const plane::RotationMap& within,
@@ -48,6 +48,8 @@ class RotationMaps {
   bool rotations_twice(const Formula& formula) const;
 
  private:
+  /// The more, the more its map costs. Throws what sign_map() does of the distance.
+  int cost(const SignMap& wanted) const;
   plane::RotationMap directional_map(const Distance& wanted, const exact::Real& level) const;
 
   const PreparedWorld& world_;

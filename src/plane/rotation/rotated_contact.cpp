@@ -4,8 +4,9 @@
 #include "plane/rotation/rotated_contact.h"
 
 #include <algorithm>
+#include <memory>
 
-#include "plane/base/parallel.h"
+#include "plane/base/search_work.h"
 #include "plane/complex/overlay.h"
 #include "plane/query/summary.h"
 #include "plane/rotation/rotation_events.h"
@@ -16,6 +17,16 @@ using exact::ExactAngle;
 using exact::Real;
 
 namespace {
+
+// Cells of work, as measured.
+constexpr long kOfContact = 15, kOfContactMap = 10, kEdgesOfCell = 2, kPairsOfCell = 16, kPairsOfLook = 400;
+
+/// What exact steps cost: a cosine that is not of closed form makes them expensive.
+long cells_of(const RotatedContact::Steps& steps, const ExactAngle& angle) {
+  constexpr long kDeepLine = 3, kDeepArc = 8;
+  if (angle.cos.is_closed() && angle.sin.is_closed()) return steps.lines / 2 + steps.arcs;
+  return kDeepLine * steps.lines + kDeepArc * steps.arcs;
+}
 
 MarkSet bit(Mark m) { return 1u << (m + 1); }
 
@@ -76,6 +87,7 @@ MarkSet RotatedContact::marks_met(const ExactAngle& angle, MarkSet enough, const
   MarkSet met = unbounded_ ? bit(fixed_.faces[0].mark) : 0;
   angle_ = angle;
   shift_ = shift;
+  steps_ = {};
   rough_.set(angle, shift);
   place_.assign(net_.vertex_count(), kNone);
   vertices_.clear();
@@ -107,6 +119,7 @@ void RotatedContact::meet_edge(const RotatedEdge& e, MarkSet& met, MarkSet enoug
   for (Index k = 0; k < fixed_net_.edges().size(); ++k) {
     if (box.apart(rough_.fixed_box(k))) continue;
     const RotatedEdge f = fixed_net_.edge(fixed_net_.edges()[k]);
+    ++(e.arc || f.arc ? steps_.arcs : steps_.lines);
     for (RealVector& p : meetings(e, f)) {
       met |= bit(fixed_.edges[f.cell].mark);
       stops.push_back(std::move(p));
@@ -115,6 +128,7 @@ void RotatedContact::meet_edge(const RotatedEdge& e, MarkSet& met, MarkSet enoug
   for (Index v = 0; v < fixed_vertices_.size(); ++v) {
     if (box.apart(fixed_vertices_[v].real(), fixed_vertices_[v].imag())) continue;
     RealVector p = fixed_net_.vertex(v);
+    ++(e.arc ? steps_.arcs : steps_.lines);
     if (!lies_on(e, p)) continue;
     met |= bit(fixed_.vertices[v].mark);
     stops.push_back(std::move(p));
@@ -141,41 +155,22 @@ MarkSet RotatedContact::marks_inside(MarkSet met) {
   return inside;
 }
 
-namespace {
-
-/// The marks at all events and between them, in blocks that threads share.
-struct Rounds {
-  std::vector<Mark> here, after;
-};
-
-Rounds evaluate_all(const RotatedContact::Pair& pair, const std::vector<ExactAngle>& events, Mark (*rule)(MarkSet),
-                    MarkSet enough) {
-  constexpr std::size_t kBlock = 16;
-  const std::size_t n = events.size();
-  Rounds rounds{std::vector<Mark>(n), std::vector<Mark>(n)};
-  parallel_for((n + kBlock - 1) / kBlock, [&](std::size_t block) {
-    RotatedContact contact(pair);
-    for (std::size_t k = block * kBlock; k < std::min(n, (block + 1) * kBlock); ++k) {
-      rounds.here[k] = rule(contact.marks_met(events[k], enough));
-      rounds.after[k] = rule(contact.marks_met(between(events[k], events[(k + 1) % n]), enough));
-    }
+RotationMap RotatedContact::rotation_map(const Pair& pair, Mark (*rule)(MarkSet), MarkSet enough,
+                                         const RotationMap& within) {
+  const RotatedContact whole(pair);
+  const std::vector<ExactAngle> events = whole.events();
+  const long edges = long(whole.net_.edges().size()), fixed = long(whole.fixed_net_.edges().size());
+  count_cells(kOfContactMap + (edges + fixed) / kEdgesOfCell + edges * fixed / kPairsOfCell + long(events.size()));
+  const long look = 1 + edges * fixed / kPairsOfLook;
+  return marks_within(within, events, [&]() -> AngleMark {
+    count_cells(kOfContact);
+    const auto contact = std::make_shared<RotatedContact>(pair);
+    return [contact, rule, enough, look](std::size_t, const ExactAngle& angle) {
+      const MarkSet met = contact->marks_met(angle, enough);
+      count_cells(look + cells_of(contact->steps(), angle));
+      return rule(met);
+    };
   });
-  return rounds;
-}
-
-}  // namespace
-
-RotationMap RotatedContact::rotation_map(const Pair& pair, Mark (*rule)(MarkSet), MarkSet enough) {
-  RotatedContact contact(pair);
-  const std::vector<ExactAngle> events = contact.events();
-  if (events.empty()) return RotationMap::uniform(rule(contact.marks_met(ExactAngle{}, enough)));
-  Rounds rounds = evaluate_all(pair, events, rule, enough);
-  RotationMap map;
-  for (const ExactAngle& t : events) map.at.push_back({t, Real(0)});
-  map.here = std::move(rounds.here);
-  map.after = std::move(rounds.after);
-  map.everywhere = map.after.back();
-  return merged(std::move(map));
 }
 
 }  // namespace findspace::plane

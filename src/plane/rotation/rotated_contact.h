@@ -47,8 +47,14 @@ class RotatedContact {
   /// The marks met at an angle by T moved by `shift`; the search ends as soon as one of `enough` is found. One thread
   /// at a time.
   MarkSet marks_met(const exact::ExactAngle& angle, MarkSet enough = 0, const exact::RealPoint& shift = {});
-  /// rule(marks met) at all angles; `enough` as above. Threads: uses several.
-  static RotationMap rotation_map(const Pair& pair, Mark (*rule)(MarkSet), MarkSet enough);
+  /// Exact steps that the last look took: of edges without an arc, and of those with one.
+  struct Steps {
+    long lines = 0, arcs = 0;
+  };
+  const Steps& steps() const { return steps_; }
+  /// rule(marks met) at the angles of a set; `enough` as above. Threads: uses several.
+  static RotationMap rotation_map(const Pair& pair, Mark (*rule)(MarkSet), MarkSet enough,
+                                  const RotationMap& within = RotationMap::uniform(1));
 
  private:
   struct Sample {
@@ -76,6 +82,7 @@ class RotatedContact {
   std::vector<Index> place_;         // of T's vertices: among those that were needed
   std::deque<RealVector> vertices_;  // these
   std::vector<char> in_face_;        // which of T's vertices lie in faces of M
+  Steps steps_;
   bool unbounded_ = false;
   Locator locate_rotation_, locate_fixed_;
 };

@@ -4,11 +4,12 @@
 #include "plane/rotation/rotated_free.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 
 #include "exact/margins/plane.h"
-#include "plane/base/parallel.h"
+#include "plane/base/search_work.h"
 #include "plane/query/topology.h"
 #include "plane/rotation/curve_meetings.h"
 
@@ -19,6 +20,10 @@ using exact::Real;
 using Kind = ContactPair::Kind;
 
 namespace {
+
+// Cells of work, as measured: of exact steps by the depth of the angle.
+constexpr std::array<long, kAngleDepths> kOfLine{1, 25, 12, 20, 50}, kOfArc{5, 10, 20, 80, 230};
+constexpr std::size_t kPairsOfCurves = 2000;
 
 RoughPoint unit(const ExactAngle& t) { return {t.cos.to_double(), t.sin.to_double()}; }
 
@@ -51,10 +56,11 @@ class RotatedFree::Look {
     }
   }
 
-  Mark sign(const ExactAngle& rotation) {
+  Mark sign(const ExactAngle& rotation, AngleDepth depth) {
+    depth_ = depth;
     prepare(rotation);
-    if (far_) return farthest();
-    return nearest();
+    count_cells(1 + long(pairs_.size() * pairs_.size() / kPairsOfCurves));
+    return far_ ? farthest() : nearest();
   }
 
  private:
@@ -131,11 +137,19 @@ class RotatedFree::Look {
   }
 
   bool is_free(const RealVector& s) {
-    if (f_.keep_ == Keep::kNotWithin)
-      return (contact_.marks_met(rotation_, kZero | kPositive, s) & (kZero | kPositive)) != 0;
-    if (f_.keep_ == Keep::kInside) return (contact_.marks_met(rotation_, kPositive, s) & kPositive) == 0;
-    if ((contact_.marks_met(rotation_, kNegative, s) & kNegative) != 0) return false;
-    return (back_->marks_met(-rotation_, kNegative, -((-rotation_)(s))) & kNegative) == 0;
+    if (f_.keep_ == Keep::kNotWithin) return meets(contact_, rotation_, kZero | kPositive, s);
+    if (f_.keep_ == Keep::kInside) return !meets(contact_, rotation_, kPositive, s);
+    if (meets(contact_, rotation_, kNegative, s)) return false;
+    return !meets(*back_, -rotation_, kNegative, -((-rotation_)(s)));
+  }
+
+  bool meets(RotatedContact& contact, const ExactAngle& angle, MarkSet marks, const RealVector& s) {
+    const bool met = (contact.marks_met(angle, marks, s) & marks) != 0;
+    AngleDepth depth = depth_;
+    if (depth == AngleDepth::kRational && !(s.x.is_rational() && s.y.is_rational())) depth = AngleDepth::kClosed;
+    const RotatedContact::Steps& steps = contact.steps();
+    count_cells(1 + kOfLine[std::size_t(depth)] * steps.lines + kOfArc[std::size_t(depth)] * steps.arcs);
+    return met;
   }
 
   /// The exact point; nothing where the curves do not meet after all.
@@ -192,33 +206,29 @@ class RotatedFree::Look {
   RotatedContact contact_;
   std::unique_ptr<RotatedContact> back_;
   ExactAngle rotation_;
+  AngleDepth depth_ = AngleDepth::kRational;
   std::optional<RoughSet> here_;
   std::vector<ContactPair> pairs_;
   std::vector<RoughCurve> rough_;
   std::vector<Candidate> candidates_;
 };
 
-RotationMap RotatedFree::rotation_map(const Real& level, bool far) const {
+RotationMap RotatedFree::rotation_map(const Real& level, bool far, const RotationMap& within) const {
   if (far && has_no_end()) return RotationMap::uniform(1);
   const FreeQuestion question{curves_, rotation_, open_,      keep_ == Keep::kApart,
                               level,   far,       tolerance_, way_ ? &*way_ : nullptr};
-  const std::vector<FreeEvent> events = free_events(question);
-  if (events.empty()) return RotationMap::uniform(Look(*this, level, far).sign(ExactAngle{}));
-  const std::size_t n = events.size();
-  RotationMap map;
-  map.here.resize(n);
-  map.after.resize(n);
-  constexpr std::size_t kBlock = 16;
-  parallel_for((n + kBlock - 1) / kBlock, [&](std::size_t block) {
-    Look look(*this, level, far);
-    for (std::size_t k = block * kBlock; k < std::min(n, (block + 1) * kBlock); ++k) {
-      map.here[k] = look.sign(events[k].rotation);
-      map.after[k] = look.sign(between(events[k].rotation, events[(k + 1) % n].rotation));
-    }
+  std::vector<ExactAngle> events;
+  std::vector<AngleDepth> depths;
+  for (FreeEvent& e : free_events(question)) {
+    events.push_back(std::move(e.rotation));
+    depths.push_back(e.depth);
+  }
+  return marks_within(within, events, [&]() -> AngleMark {
+    const auto look = std::make_shared<Look>(*this, level, far);
+    return [look, &depths](std::size_t place, const ExactAngle& angle) {
+      return look->sign(angle, place % 2 == 0 ? depths[place / 2] : AngleDepth::kRational);
+    };
   });
-  for (const FreeEvent& e : events) map.at.push_back({e.rotation, Real(0)});
-  map.everywhere = map.after.back();
-  return merged(std::move(map));
 }
 
 }  // namespace findspace::plane

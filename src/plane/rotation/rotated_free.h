@@ -41,13 +41,18 @@ class RotatedFree {
   };
   RotatedFree(const Pair& pair, Keep keep, std::optional<FreeWay> way = std::nullopt);
 
-  RotationMap nearest(const exact::Real& level) const { return rotation_map(level, false); }
-  RotationMap farthest(const exact::Real& level) const { return rotation_map(level, true); }
+  /// The signs at the angles of a set.
+  RotationMap nearest(const exact::Real& level, const RotationMap& within = RotationMap::uniform(1)) const {
+    return rotation_map(level, false, within);
+  }
+  RotationMap farthest(const exact::Real& level, const RotationMap& within = RotationMap::uniform(1)) const {
+    return rotation_map(level, true, within);
+  }
 
  private:
   class Look;
   bool has_no_end() const;
-  RotationMap rotation_map(const exact::Real& level, bool far) const;
+  RotationMap rotation_map(const exact::Real& level, bool far, const RotationMap& within) const;
 
   Pair pair_;
   Keep keep_;

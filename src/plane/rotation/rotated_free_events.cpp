@@ -7,7 +7,8 @@
 #include <cmath>
 
 #include "exact/margins/plane.h"
-#include "plane/base/parallel.h"
+#include "plane/base/counted_tasks.h"
+#include "plane/base/search_work.h"
 #include "plane/rotation/rotated_free_finders.h"
 
 namespace findspace::plane {
@@ -36,6 +37,7 @@ void find_meetings(FreeSector& sector, const ContactTies& ties) {
   const std::vector<ContactPair>& pairs = sector.pairs();
   const MeetingSpots& spots = sector.spots();
   MeetingFinder finder(sector);
+  count_cells(long(pairs.size() * pairs.size() / 200));
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     find_single(sector, i);
     for (std::size_t k = i + 1; k < pairs.size(); ++k) {
@@ -88,7 +90,7 @@ std::vector<FreeEvent> sector_events(const FreeQuestion& q, const ContactTies& t
 std::vector<FreeEvent> free_events(const FreeQuestion& question) {
   const ContactTies ties(question.curves);
   std::vector<std::vector<FreeEvent>> found(kSectors);
-  parallel_for(kSectors, [&](std::size_t k) {
+  counted_tasks(kSectors, [&](std::size_t k) {
     const double half = kPi / kSectors, middle = double(2 * k + 1) * half;
     found[k] = sector_events(question, ties, question.curves.pairs(middle, half), middle, half);
   });

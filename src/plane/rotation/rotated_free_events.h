@@ -12,9 +12,14 @@
 
 namespace findspace::plane {
 
+/// What the cosine of an angle is: the deeper, the more exact work costs there.
+enum class AngleDepth { kRational, kClosed, kRationalRoot, kClosedRoot, kDeepRoot };
+inline constexpr std::size_t kAngleDepths = 5;
+
 struct FreeEvent {
   double degrees = 0;
   exact::ExactAngle rotation;
+  AngleDepth depth = AngleDepth::kRational;
 };
 
 struct FreeQuestion {

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "plane/base/search_work.h"
+
 namespace findspace::plane {
 
 using exact::ExactAngle;
@@ -50,9 +52,16 @@ bool FreeSector::possible(double angle, RoughPoint s, double tolerance) const {
   return !surely_meets(q_.rotating.rotated(std::polar(1.0, angle)), q_.open, s, q_.either_way, tolerance);
 }
 
-void FreeSector::add(ExactAngle t) {
+void FreeSector::add(ExactAngle t, AngleDepth depth) {
+  constexpr long kOfEvent = 6;  // cells: it is sorted, and compared
+  count_cells(kOfEvent);
   const double d = exact::Angle{t, Real()}.degrees();
-  if (holds(d * kPi / 180)) found.push_back({d, std::move(t)});
+  if (holds(d * kPi / 180)) found.push_back({d, std::move(t), depth});
+}
+
+void FreeSector::count_root(AngleDepth depth) {
+  constexpr long kRational = 5, kClosed = 40, kDeep = 230;  // cells, as measured
+  count_cells(depth == AngleDepth::kDeepRoot ? kDeep : depth == AngleDepth::kClosedRoot ? kClosed : kRational);
 }
 
 const ExactSectorCurve& FreeSector::exact_form(std::size_t i, int quarters) {

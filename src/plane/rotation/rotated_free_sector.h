@@ -65,10 +65,12 @@ class FreeSector {
   /// Adds the exact roots in a place of those that a rounded polynomial may have.
   template <class Make>
   void add_roots(const RootPlace& place, Make polynomial);
-  void add(exact::ExactAngle t);
+  void add(exact::ExactAngle t, AngleDepth depth);
   std::vector<FreeEvent> found;
 
  private:
+  static void count_root(AngleDepth depth);
+
   const FreeQuestion& q_;
   double middle_, half_, level_;
   std::vector<ContactPair> pairs_;
@@ -89,7 +91,9 @@ void FreeSector::solve(const RotatedEquation& e, Witness witness) {
     wanted |= holds(here) && witness(here);
   }
   if (!wanted) return;
-  for (const exact::ExactAngle& t : rotations_where(e.a, e.b, e.c)) add(e.back ? -t : t);
+  const bool rational = e.a.is_rational() && e.b.is_rational() && e.c.is_rational();
+  for (const exact::ExactAngle& t : rotations_where(e.a, e.b, e.c))
+    add(e.back ? -t : t, rational ? AngleDepth::kClosed : AngleDepth::kClosedRoot);
 }
 
 /// The exact roots in a place of those that a rounded polynomial may have.
@@ -98,7 +102,12 @@ void FreeSector::add_roots(const RootPlace& place, Make polynomial) {
   const double from = middle_ + 2 * std::atan(place.u - place.tolerance) - margin::kSectorSlack,
                to = middle_ + 2 * std::atan(place.u + place.tolerance) + margin::kSectorSlack;
   const int quarters = int(std::lround(from / (std::numbers::pi / 2)));
-  for (exact::ExactAngle& t : polynomial(quarters).rotations_between(from, to, quarters)) add(std::move(t));
+  const exact::RotationPolynomial f = polynomial(quarters);
+  const AngleDepth depth = f.is_rational() ? AngleDepth::kRationalRoot
+                           : f.is_closed() ? AngleDepth::kClosedRoot
+                                           : AngleDepth::kDeepRoot;
+  count_root(depth);
+  for (exact::ExactAngle& t : f.rotations_between(from, to, quarters)) add(std::move(t), depth);
 }
 
 }  // namespace findspace::plane

@@ -59,7 +59,7 @@ void edge_along_edge(FreeSector& sector, const ContactPair& k, const ContactPair
   const double angle = std::atan2(rough(n.y), rough(n.x)) - std::atan2(rough(o.y), rough(o.x));
   if (!sector.holds(angle) || !witness(angle)) return;
   const Real length = sqrt(plane::dot(n, n) * plane::dot(o, o));
-  sector.add({plane::dot(o, n) / length, plane::cross(o, n) / length});
+  sector.add({plane::dot(o, n) / length, plane::cross(o, n) / length}, AngleDepth::kClosed);
 }
 
 template <class Witness>

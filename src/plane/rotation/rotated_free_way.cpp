@@ -78,7 +78,7 @@ void touching_way(FreeSector& sector, std::size_t i) {
                             (turning_edge ? plane::cross(of_edge, of_way) : plane::cross(of_way, of_edge)) / length};
   for (const exact::ExactAngle& rotation : {t, exact::ExactAngle{-t.cos, -t.sin}}) {
     const double angle = std::atan2(rough(rotation.sin), rough(rotation.cos));
-    if (sector.holds(angle) && witness(angle)) sector.add(rotation);
+    if (sector.holds(angle) && witness(angle)) sector.add(rotation, AngleDepth::kClosed);
   }
 }
 

@@ -4,7 +4,8 @@
 #include "plane/rotation/rotation_map.h"
 
 #include <algorithm>
-#include <numeric>
+
+#include "plane/base/counted_tasks.h"
 
 namespace findspace::plane {
 
@@ -81,6 +82,71 @@ RotationMap remark(const RotationMap& map, const std::function<Mark(Mark)>& rule
   std::transform(map.here.begin(), map.here.end(), out.here.begin(), rule);
   std::transform(map.after.begin(), map.after.end(), out.after.begin(), rule);
   return merged(std::move(out));
+}
+
+RotationMap closure(RotationMap set) {
+  for (std::size_t k = 0; k < set.at.size(); ++k) set.here[k] = std::max({set.here[k], set.after[k], set.before(k)});
+  return merged(std::move(set));
+}
+
+namespace {
+
+/// Of the angles, at 2 k, and the arcs after them, at 2 k + 1: those that the set meets.
+std::vector<std::size_t> places_met(const RotationMap& set, const std::vector<exact::ExactAngle>& angles) {
+  std::vector<char> met(2 * angles.size());
+  Walk walk(set);
+  std::size_t arc = met.size() - 1;
+  const auto look = [&](Mark mark) {
+    if (mark != 0) met[arc] = 1;
+  };
+  const auto pass_until = [&](const Angle* end) {
+    while (walk.next() != nullptr && (end == nullptr || compare(*walk.next(), *end) < 0)) {
+      const Angle& stop = *walk.next();
+      look(walk.here(stop));
+      walk.pass(stop);
+      look(walk.on_arc());
+    }
+  };
+  look(walk.on_arc());
+  for (std::size_t k = 0; k < angles.size(); ++k) {
+    const Angle here{angles[k], exact::Real()};
+    pass_until(&here);
+    met[2 * k] = walk.here(here) != 0;
+    walk.pass(here);
+    arc = 2 * k + 1;
+    look(walk.on_arc());
+  }
+  pass_until(nullptr);
+  std::vector<std::size_t> out;
+  for (std::size_t place = 0; place < met.size(); ++place)
+    if (met[place] != 0) out.push_back(place);
+  return out;
+}
+
+}  // namespace
+
+RotationMap marks_within(const RotationMap& set, const std::vector<exact::ExactAngle>& events,
+                         const std::function<AngleMark()>& look) {
+  if (events.empty()) return RotationMap::uniform(look()(1, exact::ExactAngle{}));
+  constexpr std::size_t kBlock = 32;
+  const std::size_t n = events.size();
+  const std::vector<std::size_t> asked = places_met(set, events);
+  std::vector<Mark> marks(2 * n);
+  counted_tasks((asked.size() + kBlock - 1) / kBlock, [&](std::size_t block) {
+    const AngleMark mark = look();
+    for (std::size_t i = block * kBlock; i < std::min(asked.size(), (block + 1) * kBlock); ++i) {
+      const std::size_t place = asked[i], k = place / 2;
+      marks[place] = mark(place, place % 2 == 0 ? events[k] : between(events[k], events[(k + 1) % n]));
+    }
+  });
+  RotationMap map;
+  for (std::size_t k = 0; k < n; ++k) {
+    map.at.push_back({events[k], exact::Real()});
+    map.here.push_back(marks[2 * k]);
+    map.after.push_back(marks[2 * k + 1]);
+  }
+  map.everywhere = map.after.back();
+  return merged(std::move(map));
 }
 
 namespace {

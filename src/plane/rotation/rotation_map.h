@@ -36,6 +36,14 @@ RotationMap merged(RotationMap map);
 RotationMap overlay(std::span<const RotationMap* const> operands,
                     const std::function<Mark(std::span<const Mark>)>& rule);
 RotationMap remark(const RotationMap& map, const std::function<Mark(Mark)>& rule);
+/// A set with the ends that it lacks.
+RotationMap closure(RotationMap set);
+/// The mark at a single angle: the k-th of some events, with the place 2 k, or one on the arc after it, 2 k + 1.
+using AngleMark = std::function<Mark(std::size_t place, const exact::ExactAngle&)>;
+/// The marks at angles that ascend, each once, and between them, where a set has them or some that lie there; elsewhere
+/// any. `look` makes what one thread asks. Work that looks count is counted for the question. Threads: uses several.
+RotationMap marks_within(const RotationMap& set, const std::vector<exact::ExactAngle>& events,
+                         const std::function<AngleMark()>& look);
 /// The map as seen after all angles grew by that many degrees.
 RotationMap shifted(const RotationMap& map, const exact::Real& degrees);
 /// The map of -angle.
