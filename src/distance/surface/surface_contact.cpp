@@ -39,13 +39,15 @@ class ContactBoxes {
     int level = 0;
     State state = State::kNew;
     int first = -1;                        // of eight
+    int likely = SurfaceDepths::kNone;     // where depths are looked for first
     std::vector<space::HalfSpace> planes;  // that pass it; none: it is all on one side of the frontier
 
     space::Vector half() const { return space::scaled(0.5, of.high - of.low); }
   };
   /// Whether a place tells that the interiors meet in all of the box.
   bool overlaps(int k);
-  /// At all positions of the box that are nearer to p than that they do; at least `known`, which is known.
+  /// At all positions of the box that are nearer to p than that they do; at least `known`, which is known; infinite
+  /// where they do in all of the box.
   double overlap(int k, const space::Vector& p, double known);
   /// The box number k, looked at; the first one holds all of the frontier. One that many planes pass is divided, but
   /// where these may all pass through one place, which is asked now and then: its state is `many`.
@@ -74,13 +76,12 @@ class ContactBoxes {
   double size_ = 0;
   std::deque<Box> boxes_;
   space::RealOverlap::Recent recent_;
-  int likely_ = SurfaceDepths::kNone, likely_near_ = SurfaceDepths::kNone;
 };
 
 namespace {
 
 /// Planes of a box, and pairs of triangles looked through for them.
-constexpr std::size_t kFewPlanes = 40, kFewPairs = 1000;
+constexpr std::size_t kFewPlanes = 100, kFewPairs = 5000;
 /// The same where they may pass through one place, as in an exact fit, which is tried every so many divisions.
 constexpr std::size_t kManyPlanes = 2000, kManyPairs = 400000, kPairsEarly = 20000;
 constexpr int kOften = 7, kEarly = 12;
@@ -105,20 +106,20 @@ ContactBoxes::ContactBoxes(const space::SurfaceSet& b, const space::SurfaceSet& 
   // B's box may be larger than A's: then B lies in A nowhere.
   const Vector wide = complete.high - complete.low;
   const bool none = wide.x < 0 || wide.y < 0 || wide.z < 0;
-  boxes_.push_back({complete, 0, none ? State::kOverlap : State::kNew, -1, {}});
+  boxes_.push_back({complete, 0, none ? State::kOverlap : State::kNew, -1, SurfaceDepths::kNone, {}});
 }
 
 bool ContactBoxes::overlaps(int k) {
   Box& box = boxes_[static_cast<std::size_t>(k)];
-  if (box.state != State::kNew) return box.state == State::kOverlap;
-  const bool deeper = depths_.deeper(box.of.middle(), space::length(box.half()) + margin::kDepthNoise * size_, likely_);
-  if (deeper) box.state = State::kOverlap;
-  return deeper;
+  if (box.state == State::kNew && depths_.overlap(box.of, box.likely)) box.state = State::kOverlap;
+  return box.state == State::kOverlap;
 }
 
 double ContactBoxes::overlap(int k, const Vector& p, double known) {
   Box& box = boxes_[static_cast<std::size_t>(k)];
-  const double out = depths_.overlap(box.of, p, known, likely_near_);
+  if (box.state == State::kOverlap) return exact::kInfinity;
+  if (box.state != State::kNew) return known;
+  const double out = depths_.overlap(box.of, p, known, box.likely);
   if (out == exact::kInfinity) box.state = State::kOverlap;
   return out;
 }
@@ -151,7 +152,8 @@ void ContactBoxes::divide(int k) {
   Box& box = boxes_[static_cast<std::size_t>(k)];
   box.state = State::kDivided;
   box.first = static_cast<int>(boxes_.size());
-  for (int part = 0; part < 8; ++part) boxes_.push_back({box.of.eighth(part), box.level + 1, State::kNew, -1, {}});
+  for (int part = 0; part < 8; ++part)
+    boxes_.push_back({box.of.eighth(part), box.level + 1, State::kNew, -1, box.likely, {}});
 }
 
 namespace {
@@ -213,8 +215,8 @@ class ContactSearch {
 
   /// Whether nothing in the box is so near as its key says: then it waits, if it has something.
   bool waits(const Task& task) {
-    if (boxes_.overlaps(task.box)) return true;
-    if (farthest_ || task.told || boxes_.box(task.box).state != ContactBoxes::State::kNew) return false;
+    if (farthest_) return boxes_.overlaps(task.box);
+    if (task.told) return false;
     const double least = boxes_.overlap(task.box, near_, task.key);
     if (!(least > task.key)) return false;
     push(Task{least, task.box, true});

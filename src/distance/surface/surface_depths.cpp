@@ -6,6 +6,7 @@
 
 #include "distance/search/boundary_cells.h"
 #include "exact/margins/space_distance.h"
+#include "plane/base/subdivide.h"
 
 namespace findspace::distance {
 
@@ -13,19 +14,22 @@ using space::Vector;
 
 namespace {
 
-/// Distances for an answer, at most: what they do not show smaller boxes do.
-constexpr int kMostLooks = 400;
+/// Nodes looked at for an answer, at most: what they do not show smaller boxes do. With fewer of them the deepest place
+/// near a contact of fine surfaces is missed, and many more boxes are looked at.
+constexpr int kMostLooks = 1000;
+
+/// Of the radius of a node, by which it may have a place deeper than its middle: so much of it is hoped for.
+constexpr double kHoped = 0.5;
 
 /// Balls in a solid, at most.
 constexpr std::size_t kMostBalls = 300;
 
 /// Faces of a mesh whose middles are places: in a finer one the corners are as near to one another, and among five
-/// times as many the deepest one is not found within so many looks. Of two that are not finer the planes of a box are
-/// told sooner than how near it overlaps.
+/// times as many the deepest one is not found within so many looks.
 constexpr std::size_t kMostMiddles = 50000;
 
-/// Of half a box: places so deep are asked how far they overlap, the deepest first.
-constexpr std::array<double, 2> kShares{0.5, 0.125};
+/// Of half a box: places less deep are not asked how far they overlap.
+constexpr double kLeastShare = 0.125;
 
 Vector middle_of(const space::RayBody& body, int f) {
   const auto corner = [&](int k) { return exact::approx(body.corner(f, k)); };
@@ -103,7 +107,6 @@ SurfaceDepths::SurfaceDepths(const space::SurfaceSet& b, const space::SurfaceSet
   for (Tree& tree : trees_) {
     // Of the complement of A balls are not looked for.
     tree.places = places_of(tree.back ? a : b, !tree.back || side == space::TouchSide::kOutside);
-    fine_ = fine_ || (tree.back ? a : b).sheets()[0]->body.faces.size() > kMostMiddles;
     for (const Place& p : tree.places) size_ = std::max(size_, space::size_of(p.at));
     tree.nodes.push_back(node_of(tree, 0, static_cast<std::uint32_t>(tree.places.size())));
   }
@@ -130,126 +133,108 @@ SurfaceDepths::Node SurfaceDepths::node_of(const Tree& tree, std::uint32_t begin
   return made;
 }
 
-int SurfaceDepths::divided(Tree& tree, int node) {
-  const Node of = tree.nodes[static_cast<std::size_t>(node)];
-  if (of.first >= 0) return of.first;
-  const std::span<Place> places = std::span(tree.places).subspan(of.begin, of.end - of.begin);
-  const space::Extent box = box_of(places);
-  const Vector wide = box.high - box.low;
-  const int axis = wide.x >= wide.y && wide.x >= wide.z ? 0 : wide.y >= wide.z ? 1 : 2;
-  const std::uint32_t half = (of.end - of.begin) / 2;
-  std::nth_element(places.begin(), places.begin() + half, places.end(),
-                   [axis](const Place& p, const Place& q) { return component(p.at, axis) < component(q.at, axis); });
-  const int first = static_cast<int>(tree.nodes.size());
-  tree.nodes[static_cast<std::size_t>(node)].first = first;
-  tree.nodes.push_back(node_of(tree, of.begin, of.begin + half));
-  tree.nodes.push_back(node_of(tree, of.begin + half, of.end));
-  return first;
+std::array<int, 2> SurfaceDepths::divided(int node) {
+  Tree& tree = tree_of(node);
+  const Node of = at(node);
+  int first = of.first;
+  if (first < 0) {
+    const std::span<Place> places = std::span(tree.places).subspan(of.begin, of.end - of.begin);
+    const space::Extent box = box_of(places);
+    const Vector wide = box.high - box.low;
+    const int axis = wide.x >= wide.y && wide.x >= wide.z ? 0 : wide.y >= wide.z ? 1 : 2;
+    const std::uint32_t half = (of.end - of.begin) / 2;
+    std::nth_element(places.begin(), places.begin() + half, places.end(),
+                     [axis](const Place& p, const Place& q) { return component(p.at, axis) < component(q.at, axis); });
+    first = static_cast<int>(tree.nodes.size());
+    tree.nodes[static_cast<std::size_t>(node / 2)].first = first;
+    tree.nodes.push_back(node_of(tree, of.begin, of.begin + half));
+    tree.nodes.push_back(node_of(tree, of.begin + half, of.end));
+  }
+  const int which = node % 2;
+  return {2 * first + which, 2 * first + 2 + which};
 }
 
-namespace {
-
-/// A place of the node's ball is surely deeper than that.
-template <class Node>
-bool some_deeper(const exact::Interval& depth, const Node& node, double than) {
-  return depth.lo - node.radius + node.least > than;
-}
-/// Surely none is.
-template <class Node>
-bool none_deeper(const exact::Interval& depth, const Node& node, double than) {
-  return !(depth.hi + node.radius + node.most > than);
-}
-
-}  // namespace
-
-exact::Interval SurfaceDepths::depth(const Tree& tree, const Node& node, const Vector& position, double than) {
+exact::Interval SurfaceDepths::depth(int k, const Vector& position, double than) const {
+  const Tree& tree = tree_of(k);
+  const Node& node = at(k);
   const Vector x = tree.back ? node.middle - position : space::plus(node.middle, position);
   exact::Interval out;
   // Boxes are kept for later places, distances are not.
-  tree.other.ask(x, than / 2, [&](const exact::Interval& at) {
-    out = tree.outward ? at : -at;
-    // Or that whatever the depth is, neither of the two is so.
-    const bool neither = !(out.hi - node.radius + node.least > than) && out.lo + node.radius + node.most > than;
-    return some_deeper(out, node, than) || none_deeper(out, node, than) || neither;
+  tree.other.ask(x, than / 2, [&](const exact::Interval& other) {
+    const exact::Interval middle = tree.outward ? other : -other;
+    out = {middle.lo - node.radius + node.least, middle.hi + node.radius + node.most};
+    return out.lo > than || !(out.hi > than) || (!node.leaf() && middle.hi - middle.lo < node.radius);
   });
   return out;
 }
 
-bool SurfaceDepths::deeper(Tree& tree, const Vector& position, double than, int& likely) {
+double SurfaceDepths::deepest(const Vector& position, double enough, double floor, int& likely) {
   struct Task {
-    double depth;
+    double hoped, most;
     int node;
+    bool operator<(const Task& o) const { return hoped < o.hoped; }
   };
-  std::array<Task, 128> stack;  // of those to be divided, the deepest of two on top
-  std::size_t left = 0;
+  plane::Subdivision<Task> left;
+  double best = floor;
   int looks = 0;
   const auto look = [&](int k) {
-    const Node& node = tree.nodes[static_cast<std::size_t>(k)];
-    const exact::Interval at = depth(tree, node, position, than);
+    const Node& node = at(k);
+    const exact::Interval found = depth(k, position, best);
     ++looks;
-    if (some_deeper(at, node, than)) {
+    if (found.lo > best) {
+      best = found.lo;
       likely = k;
-      return true;
     }
-    if (!node.leaf() && !none_deeper(at, node, than)) stack[left++] = {(at.lo + at.hi) / 2 + node.most, k};
-    return false;
+    const double middle = (found.lo - node.least + found.hi - node.most) / 2;
+    if (!node.leaf() && found.hi > best) left.push({middle + node.most + kHoped * node.radius, found.hi, k});
   };
-  if (look(0)) return true;
-  while (left > 0 && looks < kMostLooks) {
-    const std::size_t below = --left;
-    const int first = divided(tree, stack[below].node);
-    if (look(first) || look(first + 1)) return true;
-    if (left == below + 2 && stack[below].depth > stack[below + 1].depth) std::swap(stack[below], stack[below + 1]);
+  if (likely != kNone) look(likely);
+  for (const int root : {0, 1}) {
+    if (!(best > enough)) look(root);
   }
-  return false;
-}
-
-bool SurfaceDepths::deeper(const Vector& position, double than, int& likely) {
-  if (likely != kNone) {
-    const Tree& tree = trees_[static_cast<std::size_t>(likely % 2)];
-    const Node& node = tree.nodes[static_cast<std::size_t>(likely / 2)];
-    if (some_deeper(depth(tree, node, position, than), node, than)) return true;
-  }
-  for (int k = 0; k < 2; ++k) {
-    int found = kNone;
-    if (!deeper(trees_[static_cast<std::size_t>(k)], position, than, found)) continue;
-    likely = 2 * found + k;
-    return true;
-  }
-  return false;
+  left.run([&](const Task& /*top*/) { return best > enough || looks >= kMostLooks; },
+           [&](const Task& top) {
+             if (!(top.most > best)) return;
+             for (const int part : divided(top.node)) {
+               if (!(best > enough)) look(part);
+             }
+           });
+  return best;
 }
 
 // Of the positions that are nearer than the surface in the window, which are convex with the one at which the place is
 // deep, none separates another one from that.
 double SurfaceDepths::told(int node, const space::Extent& box, const Vector& from, const Vector& position) const {
   const double noise = margin::kDepthNoise * (size_ + space::length(from));
-  const Tree& tree = trees_[static_cast<std::size_t>(node % 2)];
-  const Vector place = tree.places[tree.nodes[static_cast<std::size_t>(node / 2)].begin].at;
+  const Tree& tree = tree_of(node);
+  const Vector place = tree.places[at(node).begin].at;
   const auto seen = [&](const Vector& q) { return tree.back ? place - q : space::plus(place, q); };
   const SurfaceField& other = tree.back ? of_b_ : of_a_;
-  const SurfaceField::Signed at = other.at(seen(position));
-  if (!at.certain || !((tree.outward ? at.value : -at.value) > noise)) return 0;
+  const SurfaceField::Signed there = other.at(seen(position));
+  if (!there.certain || !((tree.outward ? there.value : -there.value) > noise)) return 0;
   space::Extent window{seen(box.low), seen(box.low)};
   window.add({seen(box.high), seen(box.high)});
   const double apart = distance_in(other, grown(window, noise), seen(from)) - noise;
   return apart > space::length(position - from) + noise ? apart : 0;
 }
 
+double SurfaceDepths::noise(const space::Extent& box) const {
+  return margin::kDepthNoise * (size_ + space::length(box.low) + space::length(box.high));
+}
+
+bool SurfaceDepths::overlap(const space::Extent& box, int& likely) {
+  const double than = space::length(box.high - box.low) / 2 + noise(box);
+  return deepest(box.middle(), than, than, likely) > than;
+}
+
 double SurfaceDepths::overlap(const space::Extent& box, const Vector& from, double known, int& likely) {
-  if (!fine_) return known;
-  const Vector position = probe(box, from, known);
   const double half = space::length(box.high - box.low) / 2;
-  double most = likely == kNone ? known : std::max(known, told(likely, box, from, position));
-  if (most > known) return most;
-  for (const double share : kShares) {
-    int found = kNone;
-    if (!deeper(position, share * half + margin::kDepthNoise * size_, found)) continue;
-    const double next = told(found, box, from, position);
-    if (!(next > most)) continue;
-    likely = found;
-    return next;
-  }
-  return most;
+  const Vector position = probe(box, from, known);
+  const double enough = half + space::length(position - box.middle()) + noise(box),
+               floor = kLeastShare * half + noise(box);
+  const double depth = deepest(position, enough, floor, likely);
+  if (depth > enough) return exact::kInfinity;
+  return depth > floor ? std::max(known, told(likely, box, from, position)) : known;
 }
 
 }  // namespace findspace::distance
