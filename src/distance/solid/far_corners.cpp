@@ -67,14 +67,35 @@ NearCorner farthest_from(const Vector& place, const Lists& lists, const Vector& 
   return out;
 }
 
+/// Whether a corner may be as far as `top` from a place in the ball.
+bool may_reach(const NearCorner& c, const About& other, double top) {
+  const double most = apart(other.middle, c) + other.reach, blur = space::size_of(c.at) + space::size_of(other.middle);
+  return most * margin::kUpward + margin::kPlaceNoise * blur >= top * margin::kDownward;
+}
+
 /// Those that may be as far as `top` from a place in the ball.
 std::vector<NearCorner> not_too_near(const Lists& lists, const Vector& by, const About& other, double top) {
   std::vector<NearCorner> out;
   each_corner(lists, by, [&](const NearCorner& c) {
-    const double most = apart(other.middle, c) + other.reach,
-                 blur = space::size_of(c.at) + space::size_of(other.middle);
-    if (most * margin::kUpward + margin::kPlaceNoise * blur >= top * margin::kDownward) out.push_back(c);
+    if (may_reach(c, other, top)) out.push_back(c);
   });
+  return out;
+}
+
+/// Corners that follow each other in a list, and a ball about these: those of a mesh mostly lie together.
+struct Run {
+  std::size_t begin = 0, end = 0;
+  About about;
+};
+constexpr std::size_t kRun = 32;
+
+std::vector<Run> runs_of(const std::vector<NearCorner>& corners) {
+  std::vector<Run> out;
+  for (std::size_t begin = 0; begin < corners.size(); begin += kRun) {
+    Run& run = out.emplace_back(Run{begin, std::min(begin + kRun, corners.size()), {corners[begin].at, 0}});
+    for (std::size_t k = run.begin; k < run.end; ++k)
+      run.about.reach = std::max(run.about.reach, apart(run.about.middle, corners[k]));
+  }
   return out;
 }
 
@@ -92,17 +113,25 @@ struct FarSides {
     b = not_too_near(of_b, still, about_a, top);
   }
 
+  /// Of those that may be farther apart than `least`, which may grow.
   template <class Visit>
-  void each_pair(Visit&& visit) const {
-    for (const NearCorner& v : a)
-      for (const NearCorner& w : b) visit(v, w, space::length(v.at - w.at) + (v.radius + w.radius));
+  void each_pair(const std::vector<Run>& runs, const double& least, Visit&& visit) const {
+    for (const NearCorner& v : a) {
+      for (const Run& run : runs) {
+        if (!may_reach(v, run.about, least)) continue;
+        for (std::size_t k = run.begin; k < run.end; ++k)
+          visit(v, b[k], space::length(v.at - b[k].at) + (v.radius + b[k].radius));
+      }
+    }
   }
   /// Of the pairs that are farthest from each other.
   template <class Visit>
   void each_farthest(Visit&& visit) {
-    each_pair([&](const NearCorner&, const NearCorner&, double d) { top = std::max(top, d); });
-    each_pair([&](const NearCorner& v, const NearCorner& w, double d) {
-      if (d >= top * (1 - margin::kFarthestTie)) visit(v, w);
+    const std::vector<Run> runs = runs_of(b);
+    each_pair(runs, top, [&](const NearCorner&, const NearCorner&, double d) { top = std::max(top, d); });
+    const double least = top * (1 - margin::kFarthestTie);
+    each_pair(runs, least, [&](const NearCorner& v, const NearCorner& w, double d) {
+      if (d >= least) visit(v, w);
     });
   }
 };
