@@ -39,7 +39,7 @@ ALSO = {"flat faces": ["height field"]}
 FAR, NEAR = "20,20", "1,-3"
 PLANE_AT = {"apart": {"complements": NEAR, None: FAR},
             "overlapping": {"chains and points": "4,0", "complements": "4,-3", None: NEAR}}
-SPACE_AT = {"apart": {"complements": "0.3,0.2,0.1", None: "9,8,7"},
+SPACE_AT = {"apart": {"complements": "0.3,0.2,0.1", "cut": "9,8,6.5", None: "9,8,7"},
             "overlapping": {"boxes": "-2,-2,-2", "complements": "6.6,0.2,0.1", "flat faces": "-3,-3,0", "height field": "-3,-3,0", "cut": "-2,-2,-2",
                             None: "0.3,0.2,0.1"},
             "inside": {"boxes": "-2,-2,-2", "complements": "20,19,18", "flat faces": "-3,-3,0", "height field": "-3,-3,0", "cut": "-2,-2,-2", "round": "-3,0.2,0.1",
