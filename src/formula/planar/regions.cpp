@@ -155,7 +155,10 @@ std::optional<plane::Region> region_of_levels(const Formula& formula, const Make
   if (plane::stage_observer() != nullptr) return std::nullopt;
   const std::optional<LevelTruth> truth = level_truth(formula);
   if (!truth) return std::nullopt;
-  if (truth->sign_maps.empty()) return CellComplex::uniform(truth->sum.first > 0 ? 1 : 0);
+  if (truth->sign_maps.empty()) {
+    make(formula.sign_maps()[0]);  // throws where there is no such distance
+    return CellComplex::uniform(truth->sum.first > 0 ? 1 : 0);
+  }
   std::vector<SignMap> wanted;
   for (const std::size_t k : truth->sign_maps) wanted.push_back(formula.sign_maps()[k]);
   std::vector<plane::SignMap> maps(wanted.size());
