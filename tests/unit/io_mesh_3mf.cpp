@@ -141,6 +141,26 @@ TEST(Mesh3mf, OrderDoesNotMatter) {
             2e18);
 }
 
+/// Of what other programs write: encodings that are misnamed or seldom used, and relations that are no XML.
+TEST(Mesh3mf, OddPackages) {
+  const std::string good = model("<!-- \xe9 -->", "<item objectid=\"1\"/>");
+  for (const char* encoding : {"ISO-8859-1", "windows-1252", "latin1"}) {
+    const std::string named =
+        "<?xml version=\"1.0\" encoding=\"" + std::string(encoding) + "\"?>" + good.substr(good.find("<model"));
+    EXPECT_EQ(six_volumes(package(named), ".3mf"), 1e18) << encoding;
+  }
+  const std::string plain = model("<!-- \xc3\xa9 -->", "<item objectid=\"1\"/>");
+  for (const char* encoding : {"utf8", "utf-16"}) {
+    const std::string named =
+        "<?xml version=\"1.0\" encoding=\"" + std::string(encoding) + "\"?>" + plain.substr(plain.find("<model"));
+    EXPECT_EQ(six_volumes(package(named), ".3mf"), 1e18) << encoding;
+  }
+  for (const char* relations : {"", "none", "<Relationships>", "<!DOCTYPE a><Relationships/>"}) {
+    EXPECT_EQ(six_volumes(zip_bytes({{"_rels/.rels", relations}, {"3D/3dmodel.model", plain}}), ".3mf"), 1e18)
+        << relations;
+  }
+}
+
 /// What XML itself may do to a reader.
 TEST(Mesh3mf, XmlThatIsHostile) {
   const auto refused = [](const std::string& model) {

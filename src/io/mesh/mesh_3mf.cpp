@@ -407,14 +407,25 @@ bool read_xml(const ZipArchive& archive, const std::string& name, ReadContext& c
   return true;
 }
 
+/// Where the relations of the package cannot be read, that of most packages.
+std::string model_name(const ZipArchive& archive, ReadContext& context) {
+  ModelName named;
+  try {
+    read_xml(archive, "_rels/.rels", context, named);
+  } catch (const Error& e) {
+    if (e.code() != ErrorCode::kSyntax && e.code() != ErrorCode::kUnsupported) throw;
+    return kModel3mf;
+  }
+  return named.name();
+}
+
 }  // namespace
 
 space::Mesh read_3mf(std::string_view bytes, ReadContext& context, const MeshScale& scale) {
   const ZipArchive archive(bytes);
-  ModelName named;
-  read_xml(archive, "_rels/.rels", context, named);
+  const std::string name = model_name(archive, context);
   ModelReader model(context, scale);
-  if (!read_xml(archive, named.name(), context, model)) throw Error(ErrorCode::kFile, "the package has no 3D model");
+  if (!read_xml(archive, name, context, model)) throw Error(ErrorCode::kFile, "the package has no 3D model");
   Build build(model.objects(), model.builder());
   for (const Use& item : model.items()) build.object(item, {}, 0);
   if (model.builder().mesh().faces.empty()) bad_value("nothing with triangles is built");

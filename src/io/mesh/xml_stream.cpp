@@ -53,6 +53,20 @@ const char* xml_attribute(XmlAttributes attributes, const char* name) {
   return nullptr;
 }
 
+namespace {
+
+/// Whatever the declaration says, a byte order mark tells UTF-16, and texts that name UTF-16 are often in UTF-8. In all
+/// other encodings names and numbers are ASCII.
+const char* encoding_of(std::string_view text) {
+  const std::string_view declaration = text.substr(0, text.find('>'));
+  const std::size_t at = declaration.find("encoding");
+  if (declaration.find("<?xml") == declaration.npos || at == declaration.npos) return "UTF-8";
+  const std::string_view name = declaration.substr(at);
+  return name.find("UTF") != name.npos || name.find("utf") != name.npos ? "UTF-8" : "ISO-8859-1";
+}
+
+}  // namespace
+
 template <class Told>
 void XmlStream::guarded(Told told) {
   if (thrown_) return;
@@ -90,6 +104,8 @@ XmlStream::XmlStream(XmlListener& listener, std::string name) : listener_(listen
 XmlStream::~XmlStream() { XML_ParserFree(parser_); }
 
 void XmlStream::parse(std::string_view piece, bool last) {
+  if (!begun_) XML_SetEncoding(parser_, encoding_of(piece));
+  begun_ = true;
   const bool read = XML_Parse(parser_, piece.data(), static_cast<int>(piece.size()), last) == XML_STATUS_OK;
   if (thrown_) std::rethrow_exception(thrown_);
   if (!read) fail();

@@ -52,6 +52,7 @@ class XmlStream {
   XmlListener& listener_;
   std::string name_;
   XML_ParserStruct* parser_;
+  bool begun_ = false;
   std::exception_ptr thrown_;
 };
 
