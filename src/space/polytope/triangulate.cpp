@@ -5,9 +5,11 @@
 #include <findspace/error.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 
 namespace findspace::space {
 namespace {
@@ -30,6 +32,145 @@ bool blocks(const Point2& p, const Point2& a, const Point2& b, const Point2& c) 
   if (p == a || p == b || p == c) return false;
   return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
 }
+
+/// The corners of a ring in a tree of boxes, from which they are taken out one by one.
+class CornerTree {
+ public:
+  explicit CornerTree(std::span<const Point2> ring)
+      : ring_(ring), order_(ring.size()), leaf_(ring.size()), out_(ring.size()) {
+    std::iota(order_.begin(), order_.end(), 0);
+    if (!order_.empty()) build(0, int(order_.size()), kNone);
+  }
+
+  void take_out(int v) {
+    out_[std::size_t(v)] = true;
+    for (int k = leaf_[std::size_t(v)]; k != kNone; k = nodes_[std::size_t(k)].parent) --nodes_[std::size_t(k)].left;
+  }
+
+  /// One that blocks the triangle; -1 where none does.
+  int blocker(const Point2& a, const Point2& b, const Point2& c) const {
+    std::vector<int> stack{0};
+    while (!stack.empty()) {
+      const Node& node = nodes_[std::size_t(stack.back())];
+      stack.pop_back();
+      if (node.left == 0 || beyond(node, a, b) || beyond(node, b, c) || beyond(node, c, a)) continue;
+      if (node.below != kNone) {
+        stack.insert(stack.end(), {node.below, node.beside});
+        continue;
+      }
+      for (int i = node.first; i < node.end; ++i) {
+        const int v = order_[std::size_t(i)];
+        if (!out_[std::size_t(v)] && blocks(ring_[std::size_t(v)], a, b, c)) return v;
+      }
+    }
+    return kNone;
+  }
+
+ private:
+  static constexpr int kNone = -1, kLeaf = 16;
+  struct Node {
+    Point2 low, high;
+    int first, end, left, parent, below = kNone, beside = kNone;  // `left`: not taken out
+  };
+
+  /// Whether the whole box lies to the right of the line from a to b.
+  static bool beyond(const Node& n, const Point2& a, const Point2& b) {
+    return turn(a, b, {b.y >= a.y ? n.low.x : n.high.x, b.x >= a.x ? n.high.y : n.low.y}) < 0;
+  }
+
+  int build(int first, int end, int parent) {
+    const auto begin = order_.begin();
+    Point2 low = ring_[std::size_t(order_[std::size_t(first)])], high = low;
+    for (int i = first; i < end; ++i) {
+      const Point2& p = ring_[std::size_t(order_[std::size_t(i)])];
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    const int at = int(nodes_.size());
+    nodes_.push_back({low, high, first, end, end - first, parent});
+    if (end - first <= kLeaf) {
+      for (int i = first; i < end; ++i) leaf_[std::size_t(order_[std::size_t(i)])] = at;
+      return at;
+    }
+    const bool wide = high.x - low.x >= high.y - low.y;
+    const int middle = first + (end - first) / 2;
+    std::nth_element(begin + first, begin + middle, begin + end, [&](int v, int w) {
+      const Point2 &p = ring_[std::size_t(v)], &q = ring_[std::size_t(w)];
+      return wide ? p.x < q.x : p.y < q.y;
+    });
+    const int below = build(first, middle, at), beside = build(middle, end, at);
+    nodes_[std::size_t(at)].below = below;
+    nodes_[std::size_t(at)].beside = beside;
+    return at;
+  }
+
+  std::span<const Point2> ring_;
+  std::vector<int> order_, leaf_;
+  std::vector<bool> out_;
+  std::vector<Node> nodes_;
+};
+
+/// Cuts off the ears of a ring: each time the first corner in which nothing blocks. What cannot be one waits until a
+/// neighbour is cut off, or the corner that blocks it.
+class Ears {
+ public:
+  explicit Ears(std::span<const Point2> ring)
+      : ring_(ring), tree_(ring), links_(ring.size()), waiting_(ring.size()), left_(ring.size()) {
+    const int n = int(ring.size());
+    for (int v = 0; v < n; ++v) {
+      links_[std::size_t(v)] = {(v + n - 1) % n, (v + 1) % n};
+      unsure_.insert(unsure_.end(), v);
+    }
+  }
+
+  struct Ear {
+    std::array<int, 3> corners;
+    bool straight;
+  };
+  std::optional<Ear> next() {
+    while (left_ >= 3 && !unsure_.empty()) {
+      const int v = *unsure_.begin();
+      unsure_.erase(unsure_.begin());
+      const auto [before, after] = links_[std::size_t(v)];
+      const Point2 &a = ring_[std::size_t(before)], &b = ring_[std::size_t(v)], &c = ring_[std::size_t(after)];
+      const int corner = turn(a, b, c);
+      if (corner < 0) continue;
+      const int blocker = corner == 0 ? -1 : tree_.blocker(a, b, c);
+      if (blocker >= 0) {
+        waiting_[std::size_t(blocker)].push_back(v);
+        continue;
+      }
+      cut_off(v);
+      return Ear{{before, v, after}, corner == 0};
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Links {
+    int before, after;
+  };
+
+  void cut_off(int v) {
+    const auto [before, after] = links_[std::size_t(v)];
+    links_[std::size_t(before)].after = after;
+    links_[std::size_t(after)].before = before;
+    links_[std::size_t(v)] = {-1, -1};
+    tree_.take_out(v);
+    --left_;
+    unsure_.insert({before, after});
+    for (const int w : waiting_[std::size_t(v)])
+      if (links_[std::size_t(w)].after >= 0) unsure_.insert(w);
+    waiting_[std::size_t(v)] = {};
+  }
+
+  std::span<const Point2> ring_;
+  CornerTree tree_;
+  std::vector<Links> links_;
+  std::vector<std::vector<int>> waiting_;  // for the corner to be cut off
+  std::size_t left_;
+  std::set<int> unsure_;  // all others are no ears
+};
 
 /// Whether segments p q and a b cross or touch, other than in ends that are equal.
 bool meet(const Point2& p, const Point2& q, const Point2& a, const Point2& b) {
@@ -115,27 +256,14 @@ bool join_one(std::vector<std::vector<Point2>>& parts) {
 }  // namespace
 
 std::vector<std::array<int, 3>> triangulate(std::span<const Point2> ring, StraightCorner straight) {
-  std::vector<int> left(ring.size());
-  std::iota(left.begin(), left.end(), 0);
   std::vector<std::array<int, 3>> triangles;
   int128 area = 0;
-  while (left.size() >= 3) {
-    const std::size_t n = left.size();
-    bool cut = false;
-    for (std::size_t i = 0; i < n && !cut; ++i) {
-      const int a = left[(i + n - 1) % n], b = left[i], c = left[(i + 1) % n];
-      const int corner = turn(ring[a], ring[b], ring[c]);
-      if (corner < 0) continue;
-      const bool free = corner == 0 || std::none_of(left.begin(), left.end(),
-                                                    [&](int v) { return blocks(ring[v], ring[a], ring[b], ring[c]); });
-      if (!free) continue;
-      cut = true;
-      left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
-      if (corner == 0 && straight == StraightCorner::kDrop) continue;
-      triangles.push_back({a, b, c});
-      area += twice_area(std::array<Point2, 3>{ring[a], ring[b], ring[c]});
-    }
-    if (!cut) break;
+  Ears ears(ring);
+  while (const auto ear = ears.next()) {
+    const auto& [a, b, c] = ear->corners;
+    if (ear->straight && straight == StraightCorner::kDrop) continue;
+    triangles.push_back({a, b, c});
+    area += twice_area(std::array<Point2, 3>{ring[a], ring[b], ring[c]});
   }
   if (area != twice_area(ring) || area <= 0) throw Error(ErrorCode::kGeometry, "the polygon is not simple");
   return triangles;
