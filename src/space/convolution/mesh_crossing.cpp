@@ -57,9 +57,11 @@ class Fan {
     low_ = {std::min(one.x, two.x), std::min(one.y, two.y), std::min(one.z, two.z)};
     high_ = {std::max(one.x, two.x), std::max(one.y, two.y), std::max(one.z, two.z)};
   }
-  /// Of no corner where they have different ones.
+  /// None: -1.
+  int corner() const { return corner_; }
+
+  /// Of two fans of one corner.
   static Fan united(const Fan& f, const Fan& g) {
-    if (f.corner_ != g.corner_) return {};
     Fan out = f;
     for (std::size_t k = 0; k < 3; ++k) {
       out.low_[k] = std::min(f.low_[k], g.low_[k]);
@@ -96,6 +98,59 @@ class Fan {
   std::array<std::int64_t, 3> low_{}, high_{};
 };
 
+/// The box about points, and for each of its sides the box about those of them that lie in it.
+class ContactBoxes {
+ public:
+  explicit ContactBoxes(const Point& p) : all_{{p.x, p.y, p.z}, {p.x, p.y, p.z}} { in_.fill(all_); }
+  ContactBoxes(const RayBody& body, int face) : ContactBoxes(body.corner(face, 0)) {
+    unite(ContactBoxes(body.corner(face, 1)));
+    unite(ContactBoxes(body.corner(face, 2)));
+  }
+
+  void unite(const ContactBoxes& other) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      unite_side(k, other, other.all_.low[k] < all_.low[k], other.all_.low[k] == all_.low[k]);
+      unite_side(k + 3, other, other.all_.high[k] > all_.high[k], other.all_.high[k] == all_.high[k]);
+    }
+    all_.unite(other.all_);
+  }
+
+  /// Whether triangles with their corners in these boxes surely do not meet. In boxes that touch what lies in the
+  /// common side can meet.
+  static bool apart(const ContactBoxes& f, const ContactBoxes& g) {
+    if (!f.all_.meets(g.all_)) return true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (f.all_.high[k] == g.all_.low[k] && !f.in_[k + 3].meets(g.in_[k])) return true;
+      if (g.all_.high[k] == f.all_.low[k] && !g.in_[k + 3].meets(f.in_[k])) return true;
+    }
+    return false;
+  }
+
+ private:
+  struct Box {
+    std::array<std::int64_t, 3> low, high;
+    void unite(const Box& other) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        low[k] = std::min(low[k], other.low[k]);
+        high[k] = std::max(high[k], other.high[k]);
+      }
+    }
+    bool meets(const Box& other) const {
+      for (std::size_t k = 0; k < 3; ++k)
+        if (high[k] < other.low[k] || other.high[k] < low[k]) return false;
+      return true;
+    }
+  };
+
+  void unite_side(std::size_t side, const ContactBoxes& other, bool farther, bool same) {
+    if (farther) in_[side] = other.in_[side];
+    if (same) in_[side].unite(other.in_[side]);
+  }
+
+  Box all_;
+  std::array<Box, 6> in_;  // the sides of low x, y, z, then those of high
+};
+
 /// The fans that fill nodes of the tree: many faces about one corner meet there, box by box.
 class Fans {
  public:
@@ -105,26 +160,54 @@ class Fans {
       for (const int corner : face) ++about_[static_cast<std::size_t>(corner)];
     if (std::none_of(about_.begin(), about_.end(), [](int faces) { return faces >= kMany; })) return;
     const std::vector<BoxTree::Node>& nodes = sheet.tree.nodes();
-    fans_.resize(nodes.size());
+    groups_.resize(nodes.size());
     for (std::size_t k = nodes.size(); k-- > 0;) {  // those below stand behind
-      const auto first = static_cast<std::size_t>(nodes[k].first);
-      if (nodes[k].count == 0) {
-        fans_[k] = Fan::united(fans_[first], fans_[first + 1]);
-        continue;
+      const int first = nodes[k].first;
+      if (nodes[k].count == 0)
+        for (const int below : {first, first + 1})
+          for (const Group& group : groups_[static_cast<std::size_t>(below)]) add(groups_[k], group);
+      for (int i = 0; i < nodes[k].count; ++i) {
+        const int face = sheet.tree.face(first + i);
+        add(groups_[k], {of_face(body, face), ContactBoxes(body, face)});
       }
-      fans_[k] = of_face(body, sheet.tree.face(nodes[k].first));
-      for (int i = 1; i < nodes[k].count; ++i)
-        fans_[k] = Fan::united(fans_[k], of_face(body, sheet.tree.face(nodes[k].first + i)));
     }
   }
 
-  /// Whether the faces of two nodes surely meet in one corner alone.
+  /// Whether the faces of two nodes surely meet in one corner alone, if at all.
   bool apart(int p, int q) const {
-    return !fans_.empty() && Fan::apart(fans_[static_cast<std::size_t>(p)], fans_[static_cast<std::size_t>(q)]);
+    if (groups_.empty()) return false;
+    for (const Group& f : groups_[static_cast<std::size_t>(p)])
+      for (const Group& g : groups_[static_cast<std::size_t>(q)])
+        if (!Fan::apart(f.fan, g.fan) && !ContactBoxes::apart(f.sides, g.sides)) return false;
+    return true;
   }
 
  private:
-  static constexpr int kMany = 32;  // faces about a corner
+  static constexpr int kMany = 32;             // faces about a corner
+  static constexpr std::size_t kMostFans = 3;  // kept apart in a node
+
+  /// Faces of one fan, or of none.
+  struct Group {
+    Fan fan;
+    ContactBoxes sides;
+  };
+
+  static void add(std::vector<Group>& groups, const Group& more) {
+    const auto same = std::find_if(groups.begin(), groups.end(),
+                                   [&](const Group& group) { return group.fan.corner() == more.fan.corner(); });
+    if (same == groups.end()) {
+      groups.push_back(more);
+      if (groups.size() > kMostFans) unite_all(groups);
+      return;
+    }
+    same->fan = Fan::united(same->fan, more.fan);
+    same->sides.unite(more.sides);
+  }
+  static void unite_all(std::vector<Group>& groups) {
+    Group all{{}, groups[0].sides};
+    for (const Group& group : groups) all.sides.unite(group.sides);
+    groups.assign(1, all);
+  }
 
   /// From the corner that most faces have.
   Fan of_face(const RayBody& body, int face) const {
@@ -137,7 +220,7 @@ class Fans {
   int faces_about(int corner) const { return about_[static_cast<std::size_t>(corner)]; }
 
   std::vector<int> about_;
-  std::vector<Fan> fans_;  // of each node; none where no corner has many faces
+  std::vector<std::vector<Group>> groups_;  // of each node; none where no corner has many faces
 };
 
 /// Two nodes of the tree, or one twice: the pairs of faces below them.
