@@ -22,10 +22,10 @@ struct Shell {
   std::vector<int> faces;
   bool agreed = true;  // as stated
   bool closed = true;
-  Point low, high;            // its box
-  std::vector<int> about{};   // the shells in which it lies
-  std::vector<int> within{};  // those that lie in it
-  bool placed = true;         // `about` is certain: some vertex is on no other shell
+  Point low, high;           // its box
+  int about = 0;             // so many shells in which it lies
+  bool about_agreed = true;  // all of them as stated
+  bool placed = true;        // `about` is certain: some vertex is on no other shell
 };
 
 void widen(Point& low, Point& high, const Point& p) {
@@ -51,15 +51,14 @@ class Orientation {
     }
     find_nesting();
     for (const Shell& outer : shells_) {
-      if (!outer.placed || !outer.about.empty() || volume_sign(outer) > 0) continue;
+      if (!outer.placed || outer.about > 0 || volume_sign(outer) > 0) continue;
       turn(outer);
       if (outer.agreed) turn_all_within(outer);
     }
     for (const Shell& s : shells_) {
-      const int sense = s.about.size() % 2 == 0 ? 1 : -1;
-      if (!s.placed || s.about.empty() || volume_sign(s) == sense) continue;
-      const auto agreed = [&](int k) { return shells_[static_cast<std::size_t>(k)].agreed; };
-      if (s.agreed && std::all_of(s.about.begin(), s.about.end(), agreed)) refuse(s, step);
+      const int sense = s.about % 2 == 0 ? 1 : -1;
+      if (!s.placed || s.about == 0 || volume_sign(s) == sense) continue;
+      if (s.agreed && s.about_agreed) refuse(s, step);
       turn(s);
     }
   }
@@ -119,17 +118,17 @@ class Orientation {
     std::vector<Extent> boxes;
     for (const Shell& s : shells_) boxes.push_back({vector_of(s.low), vector_of(s.high)});
     const ExtentTree tree(std::move(boxes));
-    for (int i = 0; i < static_cast<int>(shells_.size()); ++i) {
+    for (std::size_t i = 0; i < shells_.size(); ++i) {
       Shell& s = shells_[i];
-      const Extent& box = tree.extent(static_cast<std::size_t>(i));
+      const Extent& box = tree.extent(i);
       const auto about = [&](const Extent& e) { return e.holds(box.low, 0) && e.holds(box.high, 0); };
       tree.each(about, [&](std::size_t k) {
-        if (k == static_cast<std::size_t>(i)) return;
+        if (k == i) return;
         const std::optional<bool> inside = lies_in(s, shells_[k]);
         s.placed = s.placed && inside;
         if (!inside.value_or(false)) return;
-        s.about.push_back(static_cast<int>(k));
-        shells_[k].within.push_back(i);
+        ++s.about;
+        s.about_agreed = s.about_agreed && shells_[k].agreed;
       });
     }
   }
@@ -157,13 +156,19 @@ class Orientation {
       for (const int v : face) widen(low, high, mesh_.vertices[v]);
       if (p.x < low.x || high.x < p.x || p.y < low.y || high.y < p.y || high.z < p.z) continue;
       const Wide3 n = area_vector(mesh_, face);
-      const Point& q = mesh_.vertices[face[0]];
-      const exact::Real height = exact::Real(n.x) * exact::Real(p.x - q.x) +  // of p over the plane, times n.z
-                                 exact::Real(n.y) * exact::Real(p.y - q.y) + exact::Real(n.z) * exact::Real(p.z - q.z);
-      if (height.sign() == 0 && low.z <= p.z) return std::nullopt;
-      if (n.z != 0 && (height.sign() > 0) != (n.z > 0) && covers(face, p)) odd = !odd;
+      const int height = side(n, p - mesh_.vertices[face[0]], face.size());
+      if (height == 0 && low.z <= p.z) return std::nullopt;
+      if (n.z != 0 && (height > 0) != (n.z > 0) && covers(face, p)) odd = !odd;
     }
     return odd;
+  }
+
+  /// The sign of the height over a face of so many corners, times n.z, of a place as seen from one of them.
+  static int side(const Wide3& n, const Point& v, std::size_t corners) {
+    if (corners == 3) return exact::sign(exact::dot(n, v));  // below 2^126
+    const exact::Real height =
+        exact::Real(n.x) * exact::Real(v.x) + exact::Real(n.y) * exact::Real(v.y) + exact::Real(n.z) * exact::Real(v.z);
+    return height.sign();
   }
 
   /// Whether the face, seen from above, covers p moved by (e, e * e) for every small e > 0.
@@ -198,7 +203,11 @@ class Orientation {
   }
 
   void turn_all_within(const Shell& outer) {
-    for (const int k : outer.within) turn(shells_[k]);
+    for (const Shell& s : shells_)
+      if (&s != &outer && holds(outer, s.low) && holds(outer, s.high) && lies_in(s, outer).value_or(false)) turn(s);
+  }
+  static bool holds(const Shell& s, const Point& p) {
+    return s.low.x <= p.x && p.x <= s.high.x && s.low.y <= p.y && p.y <= s.high.y && s.low.z <= p.z && p.z <= s.high.z;
   }
 
   [[noreturn]] void refuse(const Shell& s, double step) const {
