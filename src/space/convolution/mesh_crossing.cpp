@@ -57,7 +57,7 @@ class Fan {
     low_ = {std::min(one.x, two.x), std::min(one.y, two.y), std::min(one.z, two.z)};
     high_ = {std::max(one.x, two.x), std::max(one.y, two.y), std::max(one.z, two.z)};
   }
-  /// None: -1.
+  static constexpr int kNone = -1;
   int corner() const { return corner_; }
 
   /// Of two fans of one corner.
@@ -93,7 +93,6 @@ class Fan {
     return int128(most) * (least >= 0 ? far(g) : near(g)) < int128(least) * (most >= 0 ? near(f) : far(f));
   }
 
-  static constexpr int kNone = -1;
   int corner_ = kNone;
   std::array<std::int64_t, 3> low_{}, high_{};
 };
@@ -161,23 +160,17 @@ class Fans {
     if (std::none_of(about_.begin(), about_.end(), [](int faces) { return faces >= kMany; })) return;
     const std::vector<BoxTree::Node>& nodes = sheet.tree.nodes();
     groups_.resize(nodes.size());
-    for (std::size_t k = nodes.size(); k-- > 0;) {  // those below stand behind
-      const int first = nodes[k].first;
-      if (nodes[k].count == 0)
-        for (const int below : {first, first + 1})
-          for (const Group& group : groups_[static_cast<std::size_t>(below)]) add(groups_[k], group);
-      for (int i = 0; i < nodes[k].count; ++i) {
-        const int face = sheet.tree.face(first + i);
-        add(groups_[k], {of_face(body, face), ContactBoxes(body, face)});
-      }
-    }
+    for (std::size_t k = nodes.size(); k-- > 0;)  // those below stand behind
+      groups_[k] = nodes[k].count == 0 ? groups_below(nodes[k].first) : groups_of_faces(sheet, nodes[k]);
   }
 
   /// Whether the faces of two nodes surely meet in one corner alone, if at all.
   bool apart(int p, int q) const {
     if (groups_.empty()) return false;
-    for (const Group& f : groups_[static_cast<std::size_t>(p)])
-      for (const Group& g : groups_[static_cast<std::size_t>(q)])
+    const Groups &of_p = groups_[static_cast<std::size_t>(p)], &of_q = groups_[static_cast<std::size_t>(q)];
+    if (of_p.empty() || of_q.empty()) return false;
+    for (const Group& f : of_p)
+      for (const Group& g : of_q)
         if (!Fan::apart(f.fan, g.fan) && !ContactBoxes::apart(f.sides, g.sides)) return false;
     return true;
   }
@@ -186,27 +179,39 @@ class Fans {
   static constexpr int kMany = 32;             // faces about a corner
   static constexpr std::size_t kMostFans = 3;  // kept apart in a node
 
-  /// Faces of one fan, or of none.
+  /// Faces of one fan.
   struct Group {
     Fan fan;
     ContactBoxes sides;
   };
+  /// Of all faces of a node; empty where some have no fan, or they have too many.
+  using Groups = std::vector<Group>;
 
-  static void add(std::vector<Group>& groups, const Group& more) {
+  Groups groups_below(int first) const {
+    Groups out = groups_[static_cast<std::size_t>(first)];
+    const Groups& beside = groups_[static_cast<std::size_t>(first) + 1];
+    if (out.empty() || beside.empty()) return {};
+    for (const Group& group : beside) add(out, group);
+    return out.size() > kMostFans ? Groups() : out;
+  }
+
+  Groups groups_of_faces(const RaySheet& sheet, const BoxTree::Node& node) const {
+    Groups out;
+    for (int i = 0; i < node.count; ++i) {
+      const int face = sheet.tree.face(node.first + i);
+      const Fan fan = of_face(sheet.body, face);
+      if (fan.corner() == Fan::kNone) return {};
+      add(out, {fan, ContactBoxes(sheet.body, face)});
+    }
+    return out.size() > kMostFans ? Groups() : out;
+  }
+
+  static void add(Groups& groups, const Group& more) {
     const auto same = std::find_if(groups.begin(), groups.end(),
                                    [&](const Group& group) { return group.fan.corner() == more.fan.corner(); });
-    if (same == groups.end()) {
-      groups.push_back(more);
-      if (groups.size() > kMostFans) unite_all(groups);
-      return;
-    }
+    if (same == groups.end()) return groups.push_back(more);
     same->fan = Fan::united(same->fan, more.fan);
     same->sides.unite(more.sides);
-  }
-  static void unite_all(std::vector<Group>& groups) {
-    Group all{{}, groups[0].sides};
-    for (const Group& group : groups) all.sides.unite(group.sides);
-    groups.assign(1, all);
   }
 
   /// From the corner that most faces have.
@@ -220,7 +225,7 @@ class Fans {
   int faces_about(int corner) const { return about_[static_cast<std::size_t>(corner)]; }
 
   std::vector<int> about_;
-  std::vector<std::vector<Group>> groups_;  // of each node; none where no corner has many faces
+  std::vector<Groups> groups_;  // of each node; none where no corner has many faces
 };
 
 /// Two nodes of the tree, or one twice: the pairs of faces below them.

@@ -287,16 +287,24 @@ std::vector<std::string> clean(Mesh& mesh, double step, const MeshRepair& how) {
 
 namespace {
 
+/// Where a corner stands in a face, looked for backwards from a place: so do neighbours run along the edges of a face.
+std::size_t place_of(int corner, const std::vector<int>& face, std::size_t from) {
+  std::size_t at = from < face.size() ? from : 0;
+  while (face[at] != corner) at = (at == 0 ? face.size() : at) - 1;
+  return at;
+}
+
 /// Whether no edge has the surface above it, as far as the next corner of its neighbour tells.
 bool bends_outward(const Mesh& mesh) {
   const MeshEdges edges(mesh);
+  std::size_t place = 0;  // found last
   const auto bends = [&](int f, const Wide3& normal, int a, int b) {
     const auto uses = edges.at(a, b);
     if (uses.size() != 2) return false;
     const std::vector<int>& beside = mesh.faces[uses[0].face == f ? uses[1].face : uses[0].face];  // from b to a
     if (beside.size() > mesh.faces[f].size()) return true;                                         // seen from there
-    const auto at = std::find(beside.begin(), beside.end(), a) + 1;
-    const int next = at == beside.end() ? beside.front() : *at;
+    place = place_of(a, beside, place);
+    const int next = beside[(place + 1) % beside.size()];
     return exact::dot(normal, mesh.vertices[next] - mesh.vertices[a]) <= 0;
   };
   for (int f = 0; f < static_cast<int>(mesh.faces.size()); ++f) {

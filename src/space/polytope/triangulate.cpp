@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <optional>
-#include <set>
+#include <queue>
+#include <utility>
 
 namespace findspace::space {
 namespace {
@@ -48,23 +50,7 @@ class CornerTree {
   }
 
   /// One that blocks the triangle; -1 where none does.
-  int blocker(const Point2& a, const Point2& b, const Point2& c) const {
-    std::vector<int> stack{0};
-    while (!stack.empty()) {
-      const Node& node = nodes_[std::size_t(stack.back())];
-      stack.pop_back();
-      if (node.left == 0 || beyond(node, a, b) || beyond(node, b, c) || beyond(node, c, a)) continue;
-      if (node.below != kNone) {
-        stack.insert(stack.end(), {node.below, node.beside});
-        continue;
-      }
-      for (int i = node.first; i < node.end; ++i) {
-        const int v = order_[std::size_t(i)];
-        if (!out_[std::size_t(v)] && blocks(ring_[std::size_t(v)], a, b, c)) return v;
-      }
-    }
-    return kNone;
-  }
+  int blocker(const Point2& a, const Point2& b, const Point2& c) const { return blocker(0, a, b, c); }
 
  private:
   static constexpr int kNone = -1, kLeaf = 16;
@@ -72,6 +58,20 @@ class CornerTree {
     Point2 low, high;
     int first, end, left, parent, below = kNone, beside = kNone;  // `left`: not taken out
   };
+
+  int blocker(int at, const Point2& a, const Point2& b, const Point2& c) const {
+    const Node& node = nodes_[std::size_t(at)];
+    if (node.left == 0 || beyond(node, a, b) || beyond(node, b, c) || beyond(node, c, a)) return kNone;
+    if (node.below != kNone) {
+      const int found = blocker(node.below, a, b, c);
+      return found == kNone ? blocker(node.beside, a, b, c) : found;
+    }
+    for (int i = node.first; i < node.end; ++i) {
+      const int v = order_[std::size_t(i)];
+      if (!out_[std::size_t(v)] && blocks(ring_[std::size_t(v)], a, b, c)) return v;
+    }
+    return kNone;
+  }
 
   /// Whether the whole box lies to the right of the line from a to b.
   static bool beyond(const Node& n, const Point2& a, const Point2& b) {
@@ -114,13 +114,12 @@ class CornerTree {
 /// neighbour is cut off, or the corner that blocks it.
 class Ears {
  public:
-  explicit Ears(std::span<const Point2> ring)
-      : ring_(ring), tree_(ring), links_(ring.size()), waiting_(ring.size()), left_(ring.size()) {
+  explicit Ears(std::span<const Point2> ring) : ring_(ring), tree_(ring), corners_(ring.size()), left_(ring.size()) {
     const int n = int(ring.size());
-    for (int v = 0; v < n; ++v) {
-      links_[std::size_t(v)] = {(v + n - 1) % n, (v + 1) % n};
-      unsure_.insert(unsure_.end(), v);
-    }
+    std::vector<int> all(ring.size());
+    std::iota(all.begin(), all.end(), 0);
+    for (const int v : all) corners_[std::size_t(v)] = {(v + n - 1) % n, (v + 1) % n};
+    unsure_ = decltype(unsure_)(std::greater<>(), std::move(all));
   }
 
   struct Ear {
@@ -129,15 +128,16 @@ class Ears {
   };
   std::optional<Ear> next() {
     while (left_ >= 3 && !unsure_.empty()) {
-      const int v = *unsure_.begin();
-      unsure_.erase(unsure_.begin());
-      const auto [before, after] = links_[std::size_t(v)];
+      const int v = unsure_.top();
+      unsure_.pop();
+      if (corners_[std::size_t(v)].cut) continue;
+      const int before = corners_[std::size_t(v)].before, after = corners_[std::size_t(v)].after;
       const Point2 &a = ring_[std::size_t(before)], &b = ring_[std::size_t(v)], &c = ring_[std::size_t(after)];
       const int corner = turn(a, b, c);
       if (corner < 0) continue;
-      const int blocker = corner == 0 ? -1 : tree_.blocker(a, b, c);
-      if (blocker >= 0) {
-        waiting_[std::size_t(blocker)].push_back(v);
+      const int blocker = corner == 0 ? kNone : tree_.blocker(a, b, c);
+      if (blocker != kNone) {
+        wait(v, blocker);
         continue;
       }
       cut_off(v);
@@ -147,29 +147,41 @@ class Ears {
   }
 
  private:
-  struct Links {
+  static constexpr int kNone = -1;
+  struct Corner {
     int before, after;
+    int waiting = kNone;  // the first of `waits_` for it to be cut off
+    bool cut = false;
+  };
+  struct Wait {
+    int corner, next;
   };
 
+  void wait(int v, int blocker) {
+    Corner& corner = corners_[std::size_t(blocker)];
+    waits_.push_back({v, corner.waiting});
+    corner.waiting = int(waits_.size()) - 1;
+  }
+
   void cut_off(int v) {
-    const auto [before, after] = links_[std::size_t(v)];
-    links_[std::size_t(before)].after = after;
-    links_[std::size_t(after)].before = before;
-    links_[std::size_t(v)] = {-1, -1};
+    Corner& corner = corners_[std::size_t(v)];
+    corners_[std::size_t(corner.before)].after = corner.after;
+    corners_[std::size_t(corner.after)].before = corner.before;
+    corner.cut = true;
     tree_.take_out(v);
     --left_;
-    unsure_.insert({before, after});
-    for (const int w : waiting_[std::size_t(v)])
-      if (links_[std::size_t(w)].after >= 0) unsure_.insert(w);
-    waiting_[std::size_t(v)] = {};
+    unsure_.push(corner.before);
+    unsure_.push(corner.after);
+    for (int k = corner.waiting; k != kNone; k = waits_[std::size_t(k)].next)
+      unsure_.push(waits_[std::size_t(k)].corner);
   }
 
   std::span<const Point2> ring_;
   CornerTree tree_;
-  std::vector<Links> links_;
-  std::vector<std::vector<int>> waiting_;  // for the corner to be cut off
+  std::vector<Corner> corners_;
+  std::vector<Wait> waits_;
   std::size_t left_;
-  std::set<int> unsure_;  // all others are no ears
+  std::priority_queue<int, std::vector<int>, std::greater<>> unsure_;  // all others are cut off, or no ears
 };
 
 /// Whether segments p q and a b cross or touch, other than in ends that are equal.

@@ -2,9 +2,10 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // Polygons into triangles and into convex polygons, on their own vertices: no new point, so everything stays on the
-// grid. Guarantee: exact; the triangles have the area of the polygon (checked), interiors do not meet. Cost: O(n^2) to
-// O(n^3). Source: Meisters 1975 (ears), Hertel and Mehlhorn 1983 (joining triangles: at most four times the least
-// number of parts). Keywords: triangulation, ear clipping, convex decomposition, polygon with holes.
+// grid. Guarantee: exact; the triangles have the area of the polygon (checked), interiors do not meet. Cost: triangles
+// near O(n log n) where few corners lie in an ear, O(n^3) at most; convex parts O(n^2) to O(n^3). Source: Meisters 1975
+// (ears), Hertel and Mehlhorn 1983 (joining triangles: at most four times the least number of parts). Keywords:
+// triangulation, ear clipping, convex decomposition, polygon with holes.
 #pragma once
 
 #include <array>
