@@ -8,6 +8,7 @@ Each test makes its input. A run that does not end within a minute (ten under sa
 failed.
 """
 
+import itertools
 import json
 import math
 import os
@@ -282,20 +283,20 @@ class Costs(SafetyTest):
 
     def test_faces_of_many_rounded_corners(self):
         n = 200000
-        around = [2 * math.pi * k / n for k in range(n)]
-        lines = ["v %.6f %.6f 5" % (math.cos(a), math.sin(a)) for a in around]
-        ring = [str(k + 5) for k in range(n)]
-        self.file("a.obj", TETRAHEDRON + "\n".join([*lines, "f " + " ".join(ring), "f " + " ".join(ring[::-1])]) + "\n")
+        around = (2 * math.pi * k / n for k in range(n))
+        vertices = ("v %.6f %.6f 5" % (math.cos(a), math.sin(a)) for a in around)
+        faces = ("f" + "".join(" %d" % (k + 5) for k in corners) for corners in (range(n), range(n - 1, -1, -1)))
+        self.lines("a.obj", itertools.chain([TETRAHEDRON.rstrip()], vertices, faces))
         self.expect(0, "", "describe", self.of_file("a.obj"))
 
     def test_cones_of_many_faces(self):
         n = 20000
-        around = [2 * math.pi * k / n for k in range(n)]
-        rim = ["v %.6f %.6f 0" % (10 * math.cos(a), 10 * math.sin(a)) for a in around]
-        faces = ["f %d %d %d" % corners for k in range(n)
-                 for corners in ((1, 3 + k, 3 + (k + 1) % n), (2, 3 + (k + 1) % n, 3 + k))]
         for height in (50, 5):
-            self.file("a.obj", "\n".join(["v 0 0 %d" % height, "v 0 0 0", *rim, *faces]) + "\n")
+            around = (2 * math.pi * k / n for k in range(n))
+            rim = ("v %.6f %.6f 0" % (10 * math.cos(a), 10 * math.sin(a)) for a in around)
+            faces = ("f %d %d %d" % corners for k in range(n)
+                     for corners in ((1, 3 + k, 3 + (k + 1) % n), (2, 3 + (k + 1) % n, 3 + k)))
+            self.lines("a.obj", itertools.chain(["v 0 0 %d" % height, "v 0 0 0"], rim, faces))
             self.expect(0, "", "describe", self.of_file("a.obj"))
 
     def test_many_names(self):

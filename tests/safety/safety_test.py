@@ -40,6 +40,11 @@ class SafetyTest(unittest.TestCase):
             path.write_text(content if isinstance(content, str) else json.dumps(content))
         return path
 
+    def lines(self, name, lines):
+        """A file that is never whole in memory: what a child takes counts from what the tests take."""
+        with open(self.folder / name, "w", encoding="utf-8") as file:
+            file.writelines(line + "\n" for line in lines)
+
     def scene(self, shapes, **more):
         return self.file("scene.json", {"findspace": 1, "unit": "mm", "shapes": shapes, **more})
 
