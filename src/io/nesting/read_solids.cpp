@@ -384,9 +384,9 @@ class SolidReader : private NestingJson {
     const std::string name = file.path.filename().string();
     try {
       const space::Mesh raw = solid.mesh;
-      for (const std::string& note : space::clean(solid.mesh, context.grid.step_size(), repair_of(raw, context)))
-        context.notes.push_back(fmt::format("{}: {}", name, note));
-      take_loose_vertices(raw, solid, name, context);
+      std::vector<std::string> notes = space::clean(solid.mesh, context.grid.step_size(), repair_of(raw, context));
+      if (auto taken = take_loose_vertices(raw, solid)) notes = {*std::move(taken)};
+      for (const std::string& note : notes) context.notes.push_back(fmt::format("{}: {}", name, note));
       plane::Shape shape;
       shape.solid = std::make_shared<const space::Solid>(std::move(solid));
       return share(std::move(shape));
@@ -409,18 +409,17 @@ class SolidReader : private NestingJson {
     return std::min(kSteps, most / kPartOfSize);
   }
 
-  /// A convex surface that leaves out some of its file's vertices stands for the hull of all of them.
-  static void take_loose_vertices(const space::Mesh& raw, space::Solid& solid, const std::string& file,
-                                  ReadContext& context) {
+  /// A convex surface that leaves out some of its file's vertices stands for the hull of all of them; returns the note.
+  static std::optional<std::string> take_loose_vertices(const space::Mesh& raw, space::Solid& solid) {
     std::vector<char> used(raw.vertices.size());
     for (const std::vector<int>& face : raw.faces)
       for (const int v : face) used[std::size_t(v)] = 1;
     const auto loose = std::count(used.begin(), used.end(), 0);
-    if (loose == 0 || !space::is_convex(solid.mesh)) return;
+    if (loose == 0 || !space::is_convex(solid.mesh)) return std::nullopt;
     solid.form = space::Solid::Form::kPolytope;
     solid.mesh = raw;
-    context.notes.push_back(
-        fmt::format("{}: {} vertices belong to no face; the convex hull of all is taken", file, loose));
+    return fmt::format("{} no face; the convex hull of all vertices is taken",
+                       loose == 1 ? "1 vertex belongs to" : fmt::format("{} vertices belong to", loose));
   }
 
   void stand(packing::SolidPart& part, std::size_t k) const {
