@@ -28,6 +28,10 @@ bool MaxMinBest::worth(double bound) const {
   return bound > found_.value + near() && bound > slack_ && !(found_.value - slack_ > (bound - slack_) * (1 - share_));
 }
 
+void MaxMinTarget::offer_all(std::span<const Vector> places, MaxMinBest& best) const {
+  for (const Vector& v : places) offer_in(v, best);
+}
+
 std::optional<Column> MaxMinTarget::beyond(const MaxMinCell& cell, const Vector& middle) const {
   return cell.round ? cell.round->beyond_plane(middle, cell.corner) : std::nullopt;
 }
@@ -54,7 +58,7 @@ class TetrahedralMaxMin {
 };
 
 void TetrahedralMaxMin::add(const Solids& solids) {
-  for (const Vector& v : solids.corners) target_.offer_in(v, best_);
+  target_.offer_all(solids.corners, best_);
   for (auto first = solids.cells.begin(); first != solids.cells.end();) {
     // Those of one part begin with one corner.
     const auto last = std::find_if(first, solids.cells.end(),

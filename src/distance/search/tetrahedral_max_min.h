@@ -14,6 +14,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "distance/search/boundary_cells.h"
@@ -62,6 +63,8 @@ class MaxMinTarget {
   virtual std::vector<int> sets(const space::Vector& /*middle*/, double /*radius*/) const { return {}; }
   /// A place of the solid, and at most what its distance is; nothing is said where cells offer their corners.
   virtual double offer_in(const space::Vector& /*x*/, MaxMinBest& /*best*/) const { return exact::kInfinity; }
+  /// Many of them: of places that are equally far the first one counts.
+  virtual void offer_all(std::span<const space::Vector> places, MaxMinBest& best) const;
   /// Of a cell that has the sets of the one it is a half of (or none): offers places of it, lowers its bound, and keeps
   /// those of its sets, and others, that bound it best, with their distances. False: nothing of it counts.
   virtual bool look(MaxMinCell& cell, const space::Vector& middle, MaxMinBest& best) const = 0;

@@ -76,12 +76,10 @@ Vector probe(const space::Extent& box, const Vector& from, double away) {
   return at;
 }
 
-}  // namespace
-
 /// Corners, of a mesh that is not fine the middles of edges and faces, and balls if asked for.
-std::vector<SurfaceDepths::Place> SurfaceDepths::places_of(const space::SurfaceSet& set, bool balls) {
+std::vector<PlaceTree::Place> places_of(const space::SurfaceSet& set, bool balls) {
   const space::RayBody& body = set.sheets()[0]->body;
-  std::vector<Place> out;
+  std::vector<PlaceTree::Place> out;
   for (const space::Point& v : body.points) out.push_back({exact::approx(v)});
   if (body.faces.size() <= kMostMiddles) {
     for (const space::RayEdge& e : body.edges) {
@@ -99,64 +97,28 @@ std::vector<SurfaceDepths::Place> SurfaceDepths::places_of(const space::SurfaceS
   return out;
 }
 
+}  // namespace
+
+// Of the complement of A balls are not looked for.
 SurfaceDepths::SurfaceDepths(const space::SurfaceSet& b, const space::SurfaceSet& a, space::TouchSide side)
     : of_b_(b, {}),
       of_a_(a, {}),
-      trees_{Tree{{}, {}, FieldSamples(a), side == space::TouchSide::kInside, false},
-             Tree{{}, {}, FieldSamples(b), false, true}} {
-  for (Tree& tree : trees_) {
-    // Of the complement of A balls are not looked for.
-    tree.places = places_of(tree.back ? a : b, !tree.back || side == space::TouchSide::kOutside);
-    for (const Place& p : tree.places) size_ = std::max(size_, space::size_of(p.at));
-    tree.nodes.push_back(node_of(tree, 0, static_cast<std::uint32_t>(tree.places.size())));
+      trees_{Tree{PlaceTree(places_of(b, true)), FieldSamples(a), side == space::TouchSide::kInside, false},
+             Tree{PlaceTree(places_of(a, side == space::TouchSide::kOutside)), FieldSamples(b), false, true}} {
+  for (const Tree& tree : trees_) {
+    for (const PlaceTree::Place& p : tree.places.places()) size_ = std::max(size_, space::size_of(p.at));
   }
-}
-
-space::Extent SurfaceDepths::box_of(std::span<const Place> places) {
-  space::Extent box{places[0].at, places[0].at};
-  for (const Place& p : places) box.add({p.at, p.at});
-  return box;
-}
-
-SurfaceDepths::Node SurfaceDepths::node_of(const Tree& tree, std::uint32_t begin, std::uint32_t end) {
-  const std::span<const Place> places = std::span(tree.places).subspan(begin, end - begin);
-  Node made;
-  made.begin = begin;
-  made.end = end;
-  made.least = made.most = places[0].clearance;
-  made.middle = box_of(places).middle();
-  for (const Place& p : places) {
-    made.least = std::min(made.least, p.clearance);
-    made.most = std::max(made.most, p.clearance);
-    made.radius = std::max(made.radius, space::length(p.at - made.middle));
-  }
-  return made;
 }
 
 std::array<int, 2> SurfaceDepths::divided(int node) {
-  Tree& tree = tree_of(node);
-  const Node of = at(node);
-  int first = of.first;
-  if (first < 0) {
-    const std::span<Place> places = std::span(tree.places).subspan(of.begin, of.end - of.begin);
-    const space::Extent box = box_of(places);
-    const Vector wide = box.high - box.low;
-    const int axis = wide.x >= wide.y && wide.x >= wide.z ? 0 : wide.y >= wide.z ? 1 : 2;
-    const std::uint32_t half = (of.end - of.begin) / 2;
-    std::nth_element(places.begin(), places.begin() + half, places.end(),
-                     [axis](const Place& p, const Place& q) { return component(p.at, axis) < component(q.at, axis); });
-    first = static_cast<int>(tree.nodes.size());
-    tree.nodes[static_cast<std::size_t>(node / 2)].first = first;
-    tree.nodes.push_back(node_of(tree, of.begin, of.begin + half));
-    tree.nodes.push_back(node_of(tree, of.begin + half, of.end));
-  }
   const int which = node % 2;
-  return {2 * first + which, 2 * first + 2 + which};
+  const auto [one, two] = tree_of(node).places.divided(node / 2);
+  return {2 * one + which, 2 * two + which};
 }
 
 exact::Interval SurfaceDepths::depth(int k, const Vector& position, double than) const {
   const Tree& tree = tree_of(k);
-  const Node& node = at(k);
+  const PlaceTree::Node& node = at(k);
   const Vector x = tree.back ? node.middle - position : space::plus(node.middle, position);
   exact::Interval out;
   // Boxes are kept for later places, distances are not.
@@ -178,7 +140,7 @@ double SurfaceDepths::deepest(const Vector& position, double enough, double floo
   double best = floor;
   int looks = 0;
   const auto look = [&](int k) {
-    const Node& node = at(k);
+    const PlaceTree::Node& node = at(k);
     const exact::Interval found = depth(k, position, best);
     ++looks;
     if (found.lo > best) {
@@ -207,7 +169,7 @@ double SurfaceDepths::deepest(const Vector& position, double enough, double floo
 double SurfaceDepths::told(int node, const space::Extent& box, const Vector& from, const Vector& position) const {
   const double noise = margin::kDepthNoise * (size_ + space::length(from));
   const Tree& tree = tree_of(node);
-  const Vector place = tree.places[at(node).begin].at;
+  const Vector place = tree.places.place(node / 2).at;
   const auto seen = [&](const Vector& q) { return tree.back ? place - q : space::plus(place, q); };
   const SurfaceField& other = tree.back ? of_b_ : of_a_;
   const SurfaceField::Signed there = other.at(seen(position));

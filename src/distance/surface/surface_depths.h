@@ -14,11 +14,9 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <span>
-#include <vector>
 
 #include "distance/surface/field_samples.h"
+#include "distance/surface/place_tree.h"
 #include "space/surface/real_overlap.h"
 
 namespace findspace::distance {
@@ -40,23 +38,8 @@ class SurfaceDepths {
   double size() const { return size_; }
 
  private:
-  /// And a ball about it in the solid.
-  struct Place {
-    space::Vector at;
-    double clearance = 0;
-  };
-  /// A ball about some of the places, and the least and the greatest of their clearances: a leaf holds one, others the
-  /// two nodes from `first` on once they are divided.
-  struct Node {
-    space::Vector middle;
-    double radius = 0, least = 0, most = 0;
-    std::uint32_t begin = 0, end = 0;
-    int first = -1;
-    bool leaf() const { return end - begin == 1; }
-  };
   struct Tree {
-    std::vector<Place> places;
-    std::vector<Node> nodes;  // those that were needed
+    PlaceTree places;
     FieldSamples other;
     bool outward = false;  // deeper is farther out of the other one
     bool back = false;     // these are places of A
@@ -64,10 +47,7 @@ class SurfaceDepths {
   /// Of the numbers of nodes the last bit tells the tree.
   Tree& tree_of(int node) { return trees_[static_cast<std::size_t>(node % 2)]; }
   const Tree& tree_of(int node) const { return trees_[static_cast<std::size_t>(node % 2)]; }
-  const Node& at(int node) const { return tree_of(node).nodes[static_cast<std::size_t>(node / 2)]; }
-  static std::vector<Place> places_of(const space::SurfaceSet& set, bool balls);
-  static space::Extent box_of(std::span<const Place> places);
-  static Node node_of(const Tree& tree, std::uint32_t begin, std::uint32_t end);
+  const PlaceTree::Node& at(int node) const { return tree_of(node).places.node(node / 2); }
   /// The two that the node is divided in.
   std::array<int, 2> divided(int node);
   /// Numbers between which the depth of all places of the node lies: close enough to tell whether one is deeper than

@@ -15,6 +15,7 @@
 
 #include "distance/search/round_solid.h"
 #include "space/polytope/extent.h"
+#include "space/polytope/plane_tree.h"
 #include "space/surface/surface_set.h"
 
 namespace findspace::distance {
@@ -111,7 +112,7 @@ class SurfaceField {
 /// What of the solids counts where their parts are not known: what lies in the field, and so in the hull.
 struct SolidOfSurface {
   const SurfaceField* field = nullptr;
-  std::vector<space::HalfSpace> hull;
+  space::PlaneTree hull{};
 };
 /// How far they protrude from the set, which does not hold them; signed. `b` may be null: then all of them counts.
 SolidMaxMin surface_max_min(const Solids& solids, const SolidOfSurface* b, const SurfaceField& a);

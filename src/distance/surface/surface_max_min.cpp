@@ -10,10 +10,12 @@
 #include "distance/rays/protrusion_rays.h"
 #include "distance/search/field_boxes.h"
 #include "distance/search/tetrahedral_max_min.h"
+#include "distance/surface/place_tree.h"
 #include "distance/surface/surface_field.h"
 #include "distance/surface/void_places.h"
 #include "exact/margins/space_distance.h"
 #include "plane/base/search_work.h"
+#include "plane/base/subdivide.h"
 
 namespace findspace::distance {
 namespace {
@@ -28,6 +30,8 @@ constexpr std::size_t kLongList = 24, kShortList = 3;
 constexpr double kNearShare = 0.25;
 /// Of the longest edge: the triangles near the middle of a wider cell do not bound it.
 constexpr double kWideCell = 0.5;
+/// Places that are asked one by one.
+constexpr std::size_t kFewPlaces = 16;
 /// Of the octree about the surface.
 constexpr int kDepth = 9;
 /// Steps of a run, each as long as the point is clear.
@@ -76,6 +80,14 @@ class SurfaceTarget : public MaxMinTarget {
     const SurfaceField::Signed here = a_.at(x);
     best.offer(x, here.certain ? here.value : -here.distance);
     return here.value;
+  }
+
+  /// In a tree: no place of a ball about a node is farther from the set than its middle by more than the radius.
+  void offer_all(std::span<const Vector> places, MaxMinBest& best) const override {
+    if (places.size() > kFewPlaces)
+      offer_farthest(places, best);
+    else
+      MaxMinTarget::offer_all(places, best);
   }
 
   bool look(MaxMinCell& cell, const Vector& middle, MaxMinBest& best) const override {
@@ -128,6 +140,41 @@ class SurfaceTarget : public MaxMinTarget {
   double shortest_share() const override { return 1; }
 
  private:
+  void offer_farthest(std::span<const Vector> places, MaxMinBest& best) const {
+    struct Task {
+      double most;
+      int node, part;  // of the surface, that is the nearest one in its middle
+      bool operator<(const Task& o) const { return most < o.most; }
+    };
+    std::vector<PlaceTree::Place> all;
+    double size = 0;
+    for (const Vector& v : places) {
+      all.push_back({v});
+      size = std::max(size, space::size_of(v));
+    }
+    PlaceTree tree(std::move(all));
+    double value = best.found().value;
+    std::uint32_t number = 0;
+    plane::Subdivision<Task> left;
+    const auto look = [&](int k, int part) {
+      const PlaceTree::Node& node = tree.node(k);
+      const SurfaceField::Signed here = a_.at(node.leaf() ? tree.place(k).at : node.middle, {part});
+      const double known = here.certain ? here.value : -here.distance;
+      if (!node.leaf()) {
+        left.push({std::max(known, here.value) + node.radius + margin::kPlaceNoise * size, k, here.part});
+      } else if (known > value || (known == value && tree.place(k).number < number)) {  // no sign: of equal ones
+        value = known;
+        number = tree.place(k).number;
+      }
+    };
+    look(0, -1);
+    left.run([&](const Task& top) { return top.most < value; },
+             [&](const Task& top) {
+               for (const int part : tree.divided(top.node)) look(part, top.part);
+             });
+    best.offer(places[number], value);
+  }
+
   /// By a triangle that is near to all of the cell, or by a ball within the body that touches it there.
   bool surely_within(const MaxMinCell& cell, const Vector& middle, double reach, double most) const {
     return std::any_of(cell.sets.begin(), cell.sets.end(), [&](int part) {
@@ -185,11 +232,9 @@ class SurfaceTarget : public MaxMinTarget {
   /// How far the corners are beyond the plane of B's hull that the place is farthest beyond.
   Column beyond_hull(const Vector& x, const Tetrahedron& corners) const {
     const Vector& by = b_->field->by();
-    const auto most = std::max_element(b_->hull.begin(), b_->hull.end(), [&](const auto& g, const auto& h) {
-      return g.approx_value(x - by) < h.approx_value(x - by);
-    });
+    const space::PlaneTree::Plane& most = b_->hull.farthest_beyond(x - by);
     Column out{};
-    for (std::size_t v = 0; v < 4; ++v) out[v] = most->approx_value(corners[v] - by);
+    for (std::size_t v = 0; v < 4; ++v) out[v] = most.beyond(corners[v] - by);
     return out;
   }
 

@@ -289,7 +289,7 @@ Answer SurfaceSide::protrusion_out(const RealVector& p) const {
   const space::SurfaceSet &b = *b_.surface, &a = *a_.surface;
   const SurfaceField of_a(a, {}), of_b(b, space::rounded(p));
   SolidOfSurface about{&of_b, {}};
-  if (b_.outline) about.hull = b_.outline->parts[0].planes();
+  if (b_.outline) about.hull = space::PlaneTree(b_.outline->parts[0].planes());
   const auto& parts = b_.parts;
   const SolidMaxMin found =
       parts ? surface_max_min(solids_of(*parts, p), nullptr, of_a) : surface_max_min(solids_about(of_b), &about, of_a);
