@@ -83,11 +83,11 @@ void TetrahedralMaxMin::add(const Solids& solids) {
 /// Nothing in it has more than its bound.
 void TetrahedralMaxMin::add(MaxMinCell cell) {
   const Vector middle = centre(cell.corner);
-  const std::optional<Column> beyond = target_.beyond(cell, middle);
-  if (beyond && *std::min_element(beyond->begin(), beyond->end()) > best_.near()) return;
+  cell.beyond = target_.beyond(cell, middle);
+  if (cell.beyond && *std::min_element(cell.beyond->begin(), cell.beyond->end()) > best_.near()) return;
   if (!target_.look(cell, middle, best_) || dropped(cell.bound)) return;
   for (int round = 0; round < target_.rounds() && !cell.distances.empty(); ++round) {
-    const LpBound lp = bounding_lp(cell.distances, beyond);
+    const LpBound lp = bounding_lp(cell.distances, cell.beyond);
     cell.bound = std::min(cell.bound, lp.value);
     if (dropped(cell.bound)) return;
     const std::size_t known = cell.distances.size();
@@ -155,7 +155,7 @@ void TetrahedralMaxMin::split(const MaxMinCell& cell) {
     }
   }
   for (const Tetrahedron& half : halves(cell.corner, a, b))
-    add({{half}, cell.sets, {}, cell.round, cell.bound, cell.near, cell.near_reach, cell.outside});
+    add({{half}, cell.sets, {}, cell.round, cell.bound, {}, cell.near, cell.near_reach, cell.outside, cell.inner});
 }
 
 }  // namespace

@@ -29,11 +29,13 @@ struct MaxMinCell : TetrahedralCell {
   std::vector<Column> distances;      // from these, at its corners
   const RoundSolid* round = nullptr;  // only what lies in it counts
   double bound = 0;
+  std::optional<Column> beyond{};  // how far its corners are beyond a plane that the solid is on one side of
   /// What a target knows of the cell, which its halves begin with: the sets, if not null, of which one is the nearest
-  /// at each place, about a place within `near_reach`; and whether all of it is outside the body.
+  /// at each place, about a place within `near_reach`; and whether all of it is outside the body, and all within the
+  /// solid.
   std::shared_ptr<const std::vector<int>> near{};
   double near_reach = 0;
-  bool outside = false;
+  bool outside = false, inner = false;
   bool operator<(const MaxMinCell& other) const { return bound < other.bound; }
 };
 
@@ -46,6 +48,7 @@ class MaxMinBest {
   }
   const SolidMaxMin& found() const { return found_; }
   double slack() const { return slack_; }
+  double noise() const { return noise_; }
   /// What is more by less is not looked for.
   double near() const;
   void offer(const space::Vector& x, double value);
@@ -66,7 +69,8 @@ class MaxMinTarget {
   /// Many of them: of places that are equally far the first one counts.
   virtual void offer_all(std::span<const space::Vector> places, MaxMinBest& best) const;
   /// Of a cell that has the sets of the one it is a half of (or none): offers places of it, lowers its bound, and keeps
-  /// those of its sets, and others, that bound it best, with their distances. False: nothing of it counts.
+  /// those of its sets, and others, that bound it best, with their distances; may know a better plane. False: nothing
+  /// of it counts.
   virtual bool look(MaxMinCell& cell, const space::Vector& middle, MaxMinBest& best) const = 0;
   /// A place of the cell at which the distances in it may be greatest. More distances that bound the cell there are
   /// used at once, so many times.

@@ -17,6 +17,8 @@ using Sheet = space::SurfaceSet::Sheet;
 
 namespace {
 
+/// Triangles nearby that a plane may bound, at most.
+constexpr std::size_t kFewBounding = 12;
 /// Steps that shrink a ball.
 constexpr int kShrinks = 40;
 
@@ -313,6 +315,24 @@ std::optional<std::vector<int>> SurfaceField::near(const Vector& place, double w
   }
   if (out.empty() || out.size() > most) return std::nullopt;
   return out;
+}
+
+std::optional<space::PlaneTree::Plane> SurfaceField::bounding_plane(const Vector& x, double reach) const {
+  if (!set_.one_sheet()) return std::nullopt;  // a surface may lie within another solid
+  const auto parts = near(x, reach * (1 + margin::kRayNoise), kFewBounding);
+  if (!parts) return std::nullopt;
+  std::optional<space::PlaneTree::Plane> best;
+  for (const int part : *parts) {
+    const Vector unit = *normal(part), &first = corners_[static_cast<std::size_t>(part)][0];
+    const double off = margin::kPlaceNoise * (space::size_of(first) + space::size_of(x) + reach);
+    const space::PlaneTree::Plane plane{unit, -space::dot(unit, first) - off};
+    const bool all_below = std::all_of(parts->begin(), parts->end(), [&](int other) {
+      const auto& corners = corners_[static_cast<std::size_t>(other)];
+      return std::all_of(corners.begin(), corners.end(), [&](const Vector& v) { return plane.beyond(v) <= 0; });
+    });
+    if (all_below && (!best || plane.beyond(x) > best->beyond(x))) best = plane;
+  }
+  return best;
 }
 
 }  // namespace findspace::distance

@@ -82,6 +82,9 @@ class SurfaceField {
   /// The triangles and balls to which some place within `within` of x may be nearest, by number, if they are not more
   /// than `most`.
   std::optional<std::vector<int>> near(const space::Vector& x, double within, std::size_t most) const;
+  /// A plane that all of the set within `reach` of x is on one side of: of one of few triangles nearby, if none of
+  /// these is beyond it.
+  std::optional<space::PlaneTree::Plane> bounding_plane(const space::Vector& x, double reach) const;
   /// From one of them.
   double distance(int part, const space::Vector& x) const;
   /// From a place of one of them, mostly the nearest one: twice as quick.

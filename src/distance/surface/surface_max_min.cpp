@@ -116,7 +116,7 @@ class SurfaceTarget : public MaxMinTarget {
     const double value = inside.value_or(false) ? -std::fabs(near.distance) : near.distance;
     cell.bound = std::min(cell.bound, value + reach);
     if (!best.worth(cell.bound)) return false;
-    if (b_ && !cell.round && b_->field->at(middle).value > reach + best.near()) return false;
+    if (b_ && !cell.round && !cell.inner && !meets_b(cell, middle, reach, best)) return false;
     if (inside && value > best.found().value) offer_near(middle, cell, value, best);
     return true;
   }
@@ -229,13 +229,34 @@ class SurfaceTarget : public MaxMinTarget {
     return of_b.certain && of_b.value <= 0;
   }
 
+  /// Whether the cell meets B: where the surface is not near by the side of the middle. Where it is, by a plane that B
+  /// is on one side of in the cell.
+  bool meets_b(MaxMinCell& cell, const Vector& middle, double reach, MaxMinBest& best) const {
+    const SurfaceField::Signed of_b = b_->field->at(middle);
+    if (of_b.value > reach + best.noise()) return false;
+    cell.inner = of_b.certain && of_b.value < -reach;
+    if (of_b.distance > reach) return true;
+    const auto plane = b_->field->bounding_plane(middle, reach);
+    if (!plane) return true;
+    const Column here = beyond_plane(*plane, cell.corner);
+    if (!cell.beyond || mean_of(here) > mean_of(*cell.beyond)) cell.beyond = here;
+    return !(*std::min_element(here.begin(), here.end()) > best.near());
+  }
+
+  static double mean_of(const Column& c) { return (c[0] + c[1] + c[2] + c[3]) / 4; }
+
+  static Column beyond_plane(const space::PlaneTree::Plane& plane, const Tetrahedron& corners) {
+    Column out{};
+    for (std::size_t v = 0; v < 4; ++v) out[v] = plane.beyond(corners[v]);
+    return out;
+  }
+
   /// How far the corners are beyond the plane of B's hull that the place is farthest beyond.
   Column beyond_hull(const Vector& x, const Tetrahedron& corners) const {
     const Vector& by = b_->field->by();
-    const space::PlaneTree::Plane& most = b_->hull.farthest_beyond(x - by);
-    Column out{};
-    for (std::size_t v = 0; v < 4; ++v) out[v] = most.beyond(corners[v] - by);
-    return out;
+    space::PlaneTree::Plane most = b_->hull.farthest_beyond(x - by);
+    most.shift -= space::dot(most.unit, by);
+    return beyond_plane(most, corners);
   }
 
   /// The distances of the cell's triangles from its corners; keeps those that bound it best.
@@ -245,6 +266,7 @@ class SurfaceTarget : public MaxMinTarget {
       int triangle;
       Column column;
     };
+    if (cell.near && cell.near->size() <= kFewTriangles) cell.sets = *cell.near;  // others tell no more
     std::sort(cell.sets.begin(), cell.sets.end());
     cell.sets.erase(std::unique(cell.sets.begin(), cell.sets.end()), cell.sets.end());
     std::vector<Bounding> order;
@@ -257,12 +279,22 @@ class SurfaceTarget : public MaxMinTarget {
       return std::pair(p.most, p.triangle) < std::pair(q.most, q.triangle);
     });
     cell.bound = std::min(cell.bound, order[0].most);
-    order.resize(std::min(order.size(), kFewTriangles));
     cell.sets.clear();
     for (const Bounding& b : order) {
+      if (known(cell.distances, b.column)) continue;
       cell.sets.push_back(b.triangle);
       cell.distances.push_back(b.column);
+      if (cell.sets.size() == kFewTriangles) break;
     }
+  }
+
+  /// Whether one of the columns is the same: the triangles have a corner or an edge in common, which is the nearest.
+  static bool known(const std::vector<Column>& columns, const Column& next) {
+    return std::any_of(columns.begin(), columns.end(), [&](const Column& c) {
+      double apart = 0;
+      for (std::size_t v = 0; v < 4; ++v) apart = std::max(apart, std::fabs(c[v] - next[v]));
+      return apart <= margin::kPlaceNoise * next[0];
+    });
   }
 
   const SurfaceField& a_;
