@@ -69,6 +69,13 @@ FieldBoxes::~FieldBoxes() = default;
 
 namespace {
 
+constexpr double kRootOfThree = 1.7320508075688774;
+
+/// The part of a box that x is in.
+std::size_t above(const Vector& x, const Vector& middle) {
+  return (x.x > middle.x ? 1U : 0U) | (x.y > middle.y ? 2U : 0U) | (x.z > middle.z ? 4U : 0U);
+}
+
 Vector part(const Vector& middle, double half, std::size_t k) {
   const double by = half / 2;
   return {middle.x + ((k & 1) != 0 ? by : -by), middle.y + ((k & 2) != 0 ? by : -by),
@@ -87,9 +94,8 @@ const std::array<FieldBoxes::Box, 8>& FieldBoxes::children(const Box& box, const
 }
 
 bool FieldBoxes::within(const Box& box, const Vector& middle, double half, const Asked& asked) const {
-  if (asked.misses(middle, half)) return true;
-  const double reach = half * 1.7320508075688774;
-  if (box.value + reach <= asked.most) return true;
+  const double reach = half * kRootOfThree;
+  if (box.value + reach <= asked.most || asked.misses(middle, half)) return true;
   if (box.value - reach > asked.most || half < 2 * asked.least_half) return false;
   const std::array<Box, 8>& all = children(box, middle, half);
   for (std::size_t k = 0; k < 8; ++k) {
@@ -110,7 +116,7 @@ double FieldBoxes::most_at(const Vector& x, double off) const {
   Vector middle = middle_;
   double half = half_;
   while (half > off && half > least_half_) {
-    const std::size_t k = (x.x > middle.x ? 1U : 0U) | (x.y > middle.y ? 2U : 0U) | (x.z > middle.z ? 4U : 0U);
+    const std::size_t k = above(x, middle);
     box = &children(*box, middle, half)[k];
     middle = part(middle, half, k);
     half /= 2;
@@ -121,7 +127,18 @@ double FieldBoxes::most_at(const Vector& x, double off) const {
 bool FieldBoxes::within(const Asked& asked) const {
   const space::Extent all = grown({middle_, middle_}, half_);
   if (!all.holds(asked.box.low, 0) || !all.holds(asked.box.high, 0)) return false;
-  return within(*root_, middle_, half_, asked);
+  // First down to the smallest box that holds it.
+  const Box* box = root_.get();
+  Vector middle = middle_;
+  double half = half_;
+  while (!(box->value + half * kRootOfThree <= asked.most) && half >= 2 * asked.least_half) {
+    const std::size_t k = above(asked.box.low, middle);
+    if (above(asked.box.high, middle) != k) break;
+    box = &children(*box, middle, half)[k];
+    middle = part(middle, half, k);
+    half /= 2;
+  }
+  return within(*box, middle, half, asked);
 }
 
 }  // namespace findspace::distance

@@ -91,15 +91,6 @@ FaceBoxes::FaceBoxes(const space::BoxTree& tree) {
   }
 }
 
-double FaceBoxes::squared_gap(const Box& box, const Vector& x) {
-  const auto gap = [](double low, double high, double at) {
-    const double below = low - at, above = at - high, out = below > above ? below : above;
-    return out > 0 ? out : 0.0;
-  };
-  const Vector d{gap(box.low.x, box.high.x, x.x), gap(box.low.y, box.high.y, x.y), gap(box.low.z, box.high.z, x.z)};
-  return space::dot(d, d);
-}
-
 template <class Visit>
 void FaceBoxes::near(const Vector& x, double& most, Visit visit) const {
   struct Task {
@@ -133,6 +124,9 @@ SurfaceField::SurfaceField(const space::SurfaceSet& set, const Vector& by) : set
   for (const auto& sheet : set.sheets()) {
     boxes_.emplace_back(sheet->tree);
     const space::RayBody& body = sheet->body;
+    const double size = space::size_of(exact::approx(body.low)) + space::size_of(exact::approx(body.high));
+    blur_ = std::max(blur_,
+                     2 * margin::kFaceProjection * sheet->longest + margin::kPlaceNoise * (size + space::size_of(by)));
     for (int f = 0; f < static_cast<int>(body.faces.size()); ++f) {
       std::array<Vector, 3>& corners = corners_.emplace_back();
       for (int k = 0; k < 3; ++k) corners[std::size_t(k)] = space::plus(exact::approx(body.corner(f, k)), by);
@@ -168,7 +162,7 @@ SurfaceField::Signed SurfaceField::at(const Vector& place, const Known& known) c
     double least = exact::kInfinity;
     int nearest = -1;
     const auto look = [&](int face) {
-      const double d = distance(first_[k] + face, place);
+      const double d = nearer(first_[k] + face, place, least);
       if (d < least || nearest < 0) {
         least = d;
         nearest = face;
@@ -201,7 +195,7 @@ SurfaceField::Nearest SurfaceField::nearest(const Vector& place, double enough, 
   for (std::size_t k = 0; k < set_.sheets().size() && best.distance > enough; ++k) {
     boxes_[k].near(x, best.distance, [&](int face) {
       const int part = first_[k] + face;
-      offer(part, distance(part, place));
+      offer(part, nearer(part, place, best.distance));
       return best.distance > enough;
     });
   }
@@ -234,6 +228,10 @@ double SurfaceField::distance(int part, const Vector& x) const {
   const auto& [a, b, c] = corners_[static_cast<std::size_t>(part)];
   using space::near::triple;
   return std::sqrt(space::near::squared_of_triangle(triple(a - x), triple(b - x), triple(c - x)));
+}
+
+double SurfaceField::nearer(int part, const Vector& x, double than) const {
+  return distance_to_place(part, x) > than + blur_ ? exact::kInfinity : distance(part, x);
 }
 
 double SurfaceField::distance_to_place(int part, const Vector& x) const {

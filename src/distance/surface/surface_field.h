@@ -8,6 +8,7 @@
 // hierarchy.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -43,7 +44,12 @@ class FaceBoxes {
     Box box;
     int first = 0, count = 0;  // as in the tree
   };
-  static double squared_gap(const Box& box, const space::Vector& x);
+  static double squared_gap(const Box& box, const space::Vector& x) {
+    const auto gap = [](double low, double high, double at) { return std::max(std::max(low - at, at - high), 0.0); };
+    const space::Vector d{gap(box.low.x, box.high.x, x.x), gap(box.low.y, box.high.y, x.y),
+                          gap(box.low.z, box.high.z, x.z)};
+    return space::dot(d, d);
+  }
 
   std::vector<Node> nodes_;
   std::vector<Box> boxes_;
@@ -104,11 +110,14 @@ class SurfaceField {
 
  private:
   double distance_to_ball(int part, const space::Vector& x) const;
+  /// From a triangle; or infinite where it is not less than `than`.
+  double nearer(int part, const space::Vector& x, double than) const;
 
   const space::SurfaceSet& set_;
   space::Vector by_;
   std::vector<FaceBoxes> boxes_;                       // of the surfaces, not moved
   std::vector<std::array<space::Vector, 3>> corners_;  // of the triangles, moved
+  double blur_ = 0;         // what the place of a triangle that is found quickly may be too far
   std::vector<int> first_;  // the numbers of the triangles of each surface begin there; those of the balls last
 };
 

@@ -66,8 +66,11 @@ inline double squared_of_segment(const Triple<double>& a, const Triple<double>& 
 }
 inline double squared_of_triangle(const Triple<double>& a, const Triple<double>& b, const Triple<double>& c) {
   const Triple<double> projection = nearest_of_triangle(a, b, c);
-  return std::fmin(std::fmin(squared_of_segment(a, b), squared_of_segment(b, c)),
-                   std::fmin(squared_of_segment(c, a), dot(projection, projection)));
+  double least = dot(projection, projection);
+  // An edge of no length has no number.
+  for (const double d : {squared_of_segment(a, b), squared_of_segment(b, c), squared_of_segment(c, a)})
+    least = d < least ? d : least;
+  return least;
 }
 
 /// From the nearest place of the segment b, b + v to that of a, a + u, where these are not ends of lines that are
