@@ -2,14 +2,20 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // What is known of a place changes no distance to a surface (surface_field.h), and known distances nearby bound it
-// (field_samples.h).
+// (field_samples.h). Planes that bound a set in a ball, the farthest of many planes (plane_tree.h), and places in a
+// tree (place_tree.h).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <random>
+#include <vector>
 
 #include "distance/surface/field_samples.h"
+#include "distance/surface/place_tree.h"
 #include "distance/surface/surface_field.h"
+#include "space/polytope/plane_tree.h"
 
 namespace findspace::distance {
 namespace distance_surface_field {
@@ -58,6 +64,84 @@ TEST(SurfaceField, WhatIsKnownChangesNoDistance) {
     }
     EXPECT_GT(inside, 5);
   }
+}
+
+/// Planes that bound the part of a set in a ball: no place of it is beyond, and near a face there is one.
+TEST(SurfaceField, APlaneBoundsAllOfTheSetNearby) {
+  std::mt19937 rng(5);
+  std::uniform_real_distribution<double> coordinate(-200, 1200), unit(-1, 1);
+  const space::SurfaceSet set = solids(0);
+  const SurfaceField field(set, {});
+  int found = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const Vector x{coordinate(rng), coordinate(rng), coordinate(rng)};
+    const double reach = 100;
+    const auto plane = field.bounding_plane(x, reach);
+    if (field.at(x).distance > reach * 1.01) {
+      EXPECT_FALSE(plane);
+      continue;
+    }
+    if (!plane) continue;
+    ++found;
+    for (int other = 0; other < 50; ++other) {
+      const Vector y = space::plus(x, {unit(rng) * reach, unit(rng) * reach, unit(rng) * reach});
+      if (space::length(y - x) <= reach && field.at(y).value < 0) {
+        EXPECT_LT(plane->beyond(y), 1e-6);
+      }
+    }
+  }
+  EXPECT_GT(found, 100);
+}
+
+TEST(PlaneTree, TellsTheHalfSpaceThatAPlaceIsFarthestBeyond) {
+  std::mt19937 rng(7);
+  std::uniform_real_distribution<double> coordinate(-100, 100);
+  std::uniform_int_distribution<int> step(-9, 9);
+  for (const int count : {1, 4, 5, 300}) {
+    std::vector<space::HalfSpace> planes;
+    while (static_cast<int>(planes.size()) < count) {
+      const space::Wide3 normal{step(rng), step(rng), step(rng)};
+      if (!exact::is_zero(normal)) planes.emplace_back(space::Plane{normal, step(rng) * 100});
+    }
+    const space::PlaneTree tree(planes);
+    for (int k = 0; k < 200; ++k) {
+      const Vector x{coordinate(rng), coordinate(rng), coordinate(rng)};
+      double most = -exact::kInfinity;
+      for (const space::HalfSpace& h : planes) most = std::max(most, h.approx_value(x));
+      EXPECT_EQ(tree.farthest_beyond(x).beyond(x), most);
+    }
+  }
+}
+
+TEST(PlaceTree, DividesAllPlacesAndItsBallsHoldThem) {
+  std::mt19937 rng(9);
+  std::uniform_real_distribution<double> coordinate(-100, 100);
+  std::vector<PlaceTree::Place> places;
+  for (int k = 0; k < 100; ++k)
+    places.push_back({{coordinate(rng), coordinate(rng), coordinate(rng)}, coordinate(rng)});
+  PlaceTree tree(places);
+  std::vector<int> seen(places.size(), 0), left{0};
+  while (!left.empty()) {
+    const int k = left.back();
+    left.pop_back();
+    const PlaceTree::Node node = tree.node(k);
+    if (node.leaf()) {
+      const PlaceTree::Place& place = tree.place(k);
+      ++seen[place.number];
+      EXPECT_EQ(space::length(place.at - places[place.number].at), 0);
+      continue;
+    }
+    for (const int part : tree.divided(k)) {
+      left.push_back(part);
+      const PlaceTree::Node half = tree.node(part);
+      EXPECT_LE(half.most, node.most);
+      EXPECT_GE(half.least, node.least);
+      for (std::uint32_t p = half.begin; p < half.end; ++p) {
+        EXPECT_LE(space::length(tree.places()[p].at - half.middle), half.radius * (1 + 1e-12));
+      }
+    }
+  }
+  EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), 100);
 }
 
 }  // namespace distance_surface_field
