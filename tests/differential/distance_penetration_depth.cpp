@@ -252,5 +252,43 @@ TEST(PenetrationDepth, CombsOfSingleStepsEnd) {
   EXPECT_LT(boxes.count, 5'000u);
 }
 
+/// Squares and angles that lie apart, on a lattice with gaps of all kinds, some of them exact fits.
+Region collection(std::mt19937& rng) {
+  std::vector<Region> parts;
+  for (int k = 0; k < 2500; ++k) {
+    const std::int64_t x = 40 * (k % 50) + std::int64_t(rng() % 4), y = 40 * (k / 50) + std::int64_t(rng() % 4),
+                       w = 30 + std::int64_t(rng() % 7), t = 2 + std::int64_t(rng() % 8);
+    parts.push_back(ring({{x, y}, {x + w, y}, {x + w, y + w}, {x, y + w}}));
+    if (k % 2)  // a frame without a side
+      parts.back() = ring({{x, y}, {x + w, y}, {x + w, y + w}, {x + w - t, y + w}, {x + w - t, y + t}, {x, y + t}});
+  }
+  std::vector<const Region*> all;
+  for (const Region& r : parts) all.push_back(&r);
+  return plane::unite(all);
+}
+
+/// Of a collection only what is near is asked; the map is not made, and the values are its values.
+TEST(PenetrationDepth, OfACollectionFromWhatIsNear) {
+  std::mt19937 rng(7);
+  const Region a = collection(rng);
+  const Region square = ring({{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}),
+               bar = ring({{-30, -2}, {30, -2}, {30, 2}, {-30, 2}});
+  for (const Region& b : {square, plane::region_of_disc(0, 0, 70), bar}) {
+    const auto asked = std::make_shared<ShapePair>(b, a), whole = std::make_shared<ShapePair>(b, a);
+    const AtPosition at(asked);
+    for (int k = 0; k < 12; ++k) {
+      const RealPoint p{Real(std::int64_t(rng() % 2000)), Real::ratio(std::int64_t(rng() % 6000), 3)};
+      for (const Which which : {Which::kGamma1, Which::kEta1}) {
+        const auto value = at.measure(which, p), expected = whole->distance(which)->value(p);
+        ASSERT_EQ(value.has_value(), expected.has_value());
+        if (value) {
+          EXPECT_EQ(value->value, expected->value) << int(which);
+        }
+      }
+      EXPECT_FALSE(asked->has(Which::kGamma1)) << "the map was made";
+    }
+  }
+}
+
 }  // namespace distance_penetration_depth
 }  // namespace findspace::distance

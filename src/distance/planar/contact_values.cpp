@@ -3,6 +3,9 @@
 
 #include "distance/planar/contact_values.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "distance/planar/farthest.h"
 #include "exact/margins/planar_distance.h"
 #include "plane/base/real_vector.h"
@@ -15,6 +18,9 @@ using plane::operator+;
 using plane::operator-;
 
 namespace {
+
+constexpr std::size_t kFewEdges = 10'000, kFewParts = 64;  // of A: the whole is as quick
+constexpr std::size_t kEdgesAQuestion = 500;               // of A: more questions cost more than its map
 
 /// How shapes stand where boundaries tell the distance by themselves.
 Standing::Kind decided_by_boundaries(Which which) {
@@ -57,19 +63,63 @@ const PenetrationDepth* ContactValues::penetration_depth(Which which) const {
   return depths_[k] && depths_[k]->pays() && !pair_->has(which) ? depths_[k].get() : nullptr;
 }
 
-std::optional<PlanarAnswer> ContactValues::signed_value(Which which, const Standing& s, const RealPoint& p) const {
+const plane::BoundaryComponents* ContactValues::parts() const {
+  std::call_once(parts_made_, [&] {
+    const plane::Region& a = boundaries_.fixed().region();
+    if (a.edges.size() < kFewEdges || !plane::is_bounded(a)) return;
+    parts_.emplace(a);
+    if (parts_->size() < kFewParts) parts_.reset();
+    questions_left_ = std::int64_t(a.edges.size() / kEdgesAQuestion);
+  });
+  return parts_ ? &*parts_ : nullptr;
+}
+
+std::optional<ContactValues::Held> ContactValues::held_near(Which which, const RealPoint& p) const {
+  const FeatureTree& moving = boundaries_.moving();
+  if (which == Which::kDelta1 || pair_->has(which) || moving.empty() || !parts() || questions_left_-- <= 0)
+    return std::nullopt;
+  const plane::Region& whole = boundaries_.fixed().region();
+  const FeatureBox& b = moving.nodes()[0].box;
+  const double x = near_value(p.x), y = near_value(p.y);
+  for (std::int64_t reach = std::llround(std::max(b.x1 - b.x0, b.y1 - b.y0)) + 1;; reach *= 2) {
+    const double by = double(reach) + 1;  // and more than rounding
+    const plane::Region near = parts()->near(whole, {b.x0 + x - by, b.y0 + y - by, b.x1 + x + by, b.y1 + y + by});
+    if (2 * near.edges.size() > whole.edges.size()) return std::nullopt;
+    if (near.edges.empty() && which == Which::kGamma1) return Held{false, {}};
+    if (near.edges.empty()) continue;
+    const FeatureTree fixed(near);
+    const auto depth = PenetrationDepth::make(
+        moving, fixed, which == Which::kGamma1 ? PenetrationDepth::Of::kContact : PenetrationDepth::Of::kContainment,
+        PenetrationDepth::When::kAlways);
+    if (!depth) return std::nullopt;
+    if (!depth->holds(p)) return Held{false, {}};
+    // Fewer parts have fewer obstacles to contact, and fewer places to lie in: beyond the reach nothing is certain.
+    PenetrationDepth::Found found = depth->nearest(p);
+    if (!found.known) return std::nullopt;
+    if (found.nearest && found.nearest->distance <= exact::Real(reach)) return Held{true, std::move(found)};
+  }
+}
+
+std::optional<ContactValues::Held> ContactValues::held(Which which, const RealPoint& p) const {
+  if (auto near = held_near(which, p)) return near;
   const PenetrationDepth* depth = penetration_depth(which);
-  if (!depth) return by_map(which, p);
-  const bool back = which == Which::kDelta1;
-  const RealPoint at = back ? -p : p;
-  const bool holds = depth->holds(at), positive = holds != (which == Which::kGamma1);
-  if (!holds) {  // their insides (or that of B and the outside of A) do not meet
+  if (!depth) return std::nullopt;
+  const RealPoint at = which == Which::kDelta1 ? -p : p;
+  if (!depth->holds(at)) return Held{false, {}};
+  return Held{true, depth->nearest(at)};
+}
+
+std::optional<PlanarAnswer> ContactValues::signed_value(Which which, const Standing& s, const RealPoint& p) const {
+  const std::optional<Held> held = this->held(which, p);
+  if (!held) return by_map(which, p);
+  const bool back = which == Which::kDelta1, positive = held->holds != (which == Which::kGamma1);
+  if (!held->holds) {  // their insides (or that of B and the outside of A) do not meet
     const FeaturePair k = s.pair ? *s.pair : closest_pair(boundaries_.fixed(), boundaries_.moving(), p);
     PlanarAnswer out = boundary_answer(positive ? k.distance : -k.distance, features(k));
     if (k.distance.sign() != 0) out.nearest = p + (k.first - k.second);
     return out;
   }
-  const PenetrationDepth::Found found = depth->nearest(at);
+  const PenetrationDepth::Found& found = held->found;
   if (!found.known) return by_map(which, p);
   // Of contact: it holds everywhere.
   if (!found.nearest) return positive ? std::nullopt : std::optional(lowest_answer(Way::kContacts));

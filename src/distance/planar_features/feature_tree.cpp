@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "exact/margins/planar_distance.h"
@@ -22,6 +23,8 @@ using plane::Region;
 namespace {
 
 constexpr Index kLeaf = 4;
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr FeatureBox kNoBox{kInfinite, kInfinite, -kInfinite, -kInfinite};
 
 double square(double x) { return x * x; }
 
@@ -29,6 +32,28 @@ FeatureTree::Reach reach_of(const FeatureBox& box) { return {box.x1 - box.x0, bo
 
 FeatureTree::Reach larger(FeatureTree::Reach a, FeatureTree::Reach b) {
   return {std::max(a.x, b.x), std::max(a.y, b.y)};
+}
+
+/// Features [first, last) that follow each other along the boundary.
+struct PlacedWalk {
+  Index first, last;
+  FeatureBox box = kNoBox;
+  double middle(bool wide) const { return wide ? box.x0 + box.x1 : box.y0 + box.y1; }
+};
+
+/// The left half before the right one, or the lower before the upper one, and so on in each.
+void order_by_halves(std::span<PlacedWalk> walks) {
+  if (walks.size() < 3) return;
+  FeatureBox box = kNoBox;
+  for (const PlacedWalk& w : walks) box.add(w.box);
+  const bool wide = box.x1 - box.x0 > box.y1 - box.y0;
+  const std::size_t half = walks.size() / 2;
+  std::nth_element(walks.begin(), walks.begin() + std::ptrdiff_t(half), walks.end(),
+                   [wide](const PlacedWalk& a, const PlacedWalk& b) {
+                     return std::pair(a.middle(wide), a.first) < std::pair(b.middle(wide), b.first);
+                   });
+  order_by_halves(walks.first(half));
+  order_by_halves(walks.subspan(half));
 }
 
 }  // namespace
@@ -74,18 +99,40 @@ void FeatureTree::add_walk(Index half_edge, std::vector<char>& known) {
   } while (h != half_edge);
 }
 
+void FeatureTree::order_by_place(std::span<const Index> walks) {
+  std::vector<PlacedWalk> order;
+  for (std::size_t k = 0; k < walks.size(); ++k) {
+    order.push_back({walks[k], k + 1 < walks.size() ? walks[k + 1] : Index(features_.size())});
+    for (Index f = order[k].first; f < order[k].last; ++f) order[k].box.add(box_of(features_[f]));
+  }
+  order_by_halves(order);
+  std::vector<BoundaryFeature> ordered;
+  ordered.reserve(features_.size());
+  for (const PlacedWalk& w : order)
+    ordered.insert(ordered.end(), features_.begin() + w.first, features_.begin() + w.last);
+  features_ = std::move(ordered);
+}
+
 void FeatureTree::collect() {
   features_.reserve(region_.edges.size());
   std::vector<char> known(region_.edges.size(), 0);
-  for (Index h = 0; h < region_.half_edges.size(); ++h)
-    if (!known[h / 2]) add_walk(h, known);
+  std::vector<Index> walks;  // where each begins
+  for (Index h = 0; h < region_.half_edges.size(); ++h) {
+    if (known[h / 2]) continue;
+    const Index first = Index(features_.size());
+    add_walk(h, known);
+    if (features_.size() > first) walks.push_back(first);
+  }
   plane::UnionFind pieces(Index(region_.vertices.size()));
   for (const auto& e : region_.edges) pieces.unite(e.v0, e.v1);
   for (Index v = 0; v < region_.vertices.size(); ++v) {
     if (pieces.find(v) == v && region_.vertices[v].mark > 0) representatives_.push_back(v);
-    if (region_.vertices[v].out == kNone && region_.vertices[v].mark > 0)
+    if (region_.vertices[v].out == kNone && region_.vertices[v].mark > 0) {
+      walks.push_back(Index(features_.size()));
       features_.push_back(vertex_feature(region_, v));
+    }
   }
+  if (walks.size() > 2) order_by_place(walks);
   std::sort(representatives_.begin(), representatives_.end(),
             [&](Index v, Index w) { return std::pair(region_.point(v).x, v) < std::pair(region_.point(w).x, w); });
   for (const BoundaryFeature& s : features_) {

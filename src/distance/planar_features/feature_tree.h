@@ -2,10 +2,11 @@
 // SPDX-FileCopyrightText: findspace contributors
 //
 // A closed set's boundary as a tree of boxes over its closed edges and isolated vertices, taken in the order of the
-// boundary walk, so that neighbours in the tree are neighbours in the plane. Prepared once, asked at many positions:
-// the nearest part to a place, and whether a place that is not too close to the boundary lies in the set. Guarantee:
-// distances are right to `slack`; membership is certain where it is given. Cost: building O(n); a query about log n
-// boxes. Keywords: bounding volume hierarchy, AABB tree, branch and bound, closest feature.
+// boundary walks, and walks in that of halvings across, so that neighbours in the tree are neighbours in the plane.
+// Prepared once, asked at many positions: the nearest part to a place, and whether a place that is not too close to the
+// boundary lies in the set. Guarantee: distances are right to `slack`; membership is certain where it is given. Cost:
+// building O(n); a query about log n boxes. Keywords: bounding volume hierarchy, AABB tree, branch and bound, closest
+// feature.
 #pragma once
 
 #include <algorithm>
@@ -82,6 +83,8 @@ class FeatureTree {
  private:
   void collect();
   void add_walk(plane::Index half_edge, std::vector<char>& known);
+  /// Walks, each as it is, in an order in which neighbours are near each other.
+  void order_by_place(std::span<const plane::Index> walks);
   plane::Index build(plane::Index first, plane::Index last);
   std::optional<plane::Index> face_around(plane::Index vertex, double x, double y) const;
 
