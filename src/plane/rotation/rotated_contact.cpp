@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "exact/margins/plane.h"
 #include "plane/base/search_work.h"
 #include "plane/complex/overlay.h"
 #include "plane/query/summary.h"
@@ -30,6 +31,28 @@ long cells_of(const RotatedContact::Steps& steps, const ExactAngle& angle) {
 
 MarkSet bit(Mark m) { return 1u << (m + 1); }
 
+/// Whether one of the places may lie in a set with these edges, moved so. No edge is longer than half a circle, so it
+/// lies within half its chord of the chord's middle. `size` is that of the numbers that the places were made of.
+bool may_hold_one(const RotatedNet& net, RoughPoint rotation, RoughPoint shift, const std::vector<RoughPoint>& places,
+                  double size) {
+  std::vector<RoughPoint> middles;
+  std::vector<double> halves;
+  RoughPoint center = 0;
+  for (const Index e : net.edges()) {
+    const RotatedEdge edge = net.edge(e);
+    const RoughPoint p = rotation * rough(edge.p) + shift, q = rotation * rough(edge.q) + shift;
+    middles.push_back((p + q) / 2.0);
+    halves.push_back(length(q - p) / 2);
+    center += middles.back() / double(net.edges().size());
+    size = std::max({size, length(p), length(q)});
+  }
+  double reach = 0;
+  for (std::size_t k = 0; k < middles.size(); ++k) reach = std::max(reach, length(middles[k] - center) + halves[k]);
+  return std::any_of(places.begin(), places.end(), [&](const RoughPoint& p) {
+    return length(p - center) <= reach + margin::kRotatedTolerance * (size + length(p));
+  });
+}
+
 }  // namespace
 
 RotatedContact::RotatedContact(const Pair& pair)
@@ -45,17 +68,18 @@ RotatedContact::RotatedContact(const Pair& pair)
       locate_fixed_(fixed_) {
   fixed_vertices_.reserve(fixed_net_.vertex_count());
   for (Index v = 0; v < fixed_net_.vertex_count(); ++v) fixed_vertices_.push_back(rough(fixed_net_.vertex(v)));
-  add_samples();
 }
 
-void RotatedContact::add_samples() {
-  for (Mark m : {-1, 0, 1}) {
-    const Region part = remark(fixed_, [m](Mark k) { return Mark(k == m); });
-    for (const Component& c : summarize(part, Real(1)).components) {
-      // What is unbounded leaves a bounded set, and is met by an unbounded one.
-      if (c.bbox) samples_.push_back({c.sample_point - to_, m});
-    }
+const std::vector<RealVector>& RotatedContact::samples(Mark m) {
+  std::optional<std::vector<RealVector>>& known = samples_[m + 1];
+  if (known) return *known;
+  known.emplace();
+  const Region part = remark(fixed_, [m](Mark k) { return Mark(k == m); });
+  for (const Component& c : summarize(part, Real(1)).components) {
+    // What is unbounded leaves a bounded set, and is met by an unbounded one.
+    if (c.bbox) known->push_back(c.sample_point - to_);
   }
+  return *known;
 }
 
 std::vector<ExactAngle> RotatedContact::events() const { return contact_rotations(net_, fixed_net_); }
@@ -147,10 +171,20 @@ void RotatedContact::meet_edge(const RotatedEdge& e, MarkSet& met, MarkSet enoug
 }
 
 MarkSet RotatedContact::marks_inside(MarkSet met) {
+  // A component in T has a vertex there. Without one none has to be found.
+  const auto is_known = [&](Mark m) { return (met & bit(m)) != 0 || samples_[m + 1]; };
+  if (!unbounded_ && !(is_known(-1) && is_known(0) && is_known(1))) {
+    const RoughPoint rotation{rough(angle_.cos), rough(angle_.sin)};
+    const double size = length(rough(about_)) + length(rough(to_));
+    if (!may_hold_one(net_, rotation, rough(shift_), fixed_vertices_, size)) return 0;
+  }
   MarkSet inside = 0;
-  for (const Sample& s : samples_) {
-    if (((met | inside) & bit(s.mark)) != 0) continue;
-    if (locate_rotation_.mark((-angle_)(s.at - shift_) + about_) != 0) inside |= bit(s.mark);
+  for (const Mark m : {-1, 0, 1}) {
+    if ((met & bit(m)) != 0) continue;
+    const std::vector<RealVector>& places = samples(m);
+    if (std::any_of(places.begin(), places.end(),
+                    [&](const RealVector& s) { return locate_rotation_.mark((-angle_)(s - shift_) + about_) != 0; }))
+      inside |= bit(m);
   }
   return inside;
 }

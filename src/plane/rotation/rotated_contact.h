@@ -15,7 +15,9 @@
 // sweep.
 #pragma once
 
+#include <array>
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "plane/complex/cell_complex.h"
@@ -57,11 +59,8 @@ class RotatedContact {
                                   const RotationMap& within = RotationMap::uniform(1));
 
  private:
-  struct Sample {
-    RealVector at;  // relative to `to`
-    Mark mark;
-  };
-  void add_samples();
+  /// A point of each bounded component of that mark, relative to `to`. Made when a look first needs them.
+  const std::vector<RealVector>& samples(Mark m);
   /// A vertex and an edge of T in the pose looked at.
   const RealVector& vertex(Index v);
   RotatedEdge edge(Index e);
@@ -74,7 +73,7 @@ class RotatedContact {
   RealVector about_, to_;
   RotatedNet net_, fixed_net_;
   std::vector<RoughPoint> fixed_vertices_;
-  std::vector<Sample> samples_;
+  std::array<std::optional<std::vector<RealVector>>, 3> samples_;  // of the marks -1, 0, +1
   RoughContact rough_;
   // Of the pose looked at:
   exact::ExactAngle angle_;
