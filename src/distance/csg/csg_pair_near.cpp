@@ -128,6 +128,9 @@ TouchingConstraint distance_to_segment(const Vector& start, const Vector& unit, 
   };
 }
 
+/// Of the blur that is wanted.
+constexpr double kDeepEnough = 4;
+
 /// gamma1 less a level from 0 on, inside minus how deep a place of A is in a part of B.
 class CsgSide::GapNear : public NearRule {
  public:
@@ -152,24 +155,22 @@ class CsgSide::GapNear : public NearRule {
     const Until wanted{level_, until.share, until.blur};
     const Vector &start = line.start, &unit = line.unit;
     const PointWay way{start, unit, from, to};
-    for (const Moving& s : parts_) {
-      const space::Extent swept = swept_box(s, way);
-      for (std::size_t k = 0; k < features_.size(); ++k) {
-        const double boxes = space::distance(swept, side_->parts_[k].box()) - error - level_;
-        if (boxes > 0 || boxes > out.low) {
-          out.low = std::min(out.low, boxes);
-          continue;
-        }
-        std::optional<BoundaryPlace> by_features = nearest_by_features(s, k, way, wanted);
-        out.quick = out.quick && by_features;
-        const BoundaryPlace found = by_features ? *std::move(by_features) : nearest(s, k, way, wanted);
-        out.low = std::min(out.low, found.bound - error - level_);
-        const double high = found.value + error - level_;
-        if (!found.found || !(high < out.high)) continue;
-        out.high = high;
-        out.beyond = beyond(s, start, unit, found.place, level_ - error);
-        if (until.share == 0 && high < 0) return out;
+    for (const PairOfParts& pair : pairs(way)) {
+      const Moving& s = *pair.moving;
+      const double least = pair.least - error - level_;
+      // A place that is so deep is enough to go on from.
+      if (least > 0 || least > out.low || out.high < (until.share > 0 ? -kDeepEnough * until.blur : 0)) {
+        out.low = std::min(out.low, least);
+        break;
       }
+      std::optional<BoundaryPlace> by_features = nearest_by_features(s, pair.part, way, wanted);
+      out.quick = out.quick && by_features;
+      const BoundaryPlace found = by_features ? *std::move(by_features) : nearest(s, pair.part, way, wanted);
+      out.low = std::min(out.low, found.bound - error - level_);
+      const double high = found.value + error - level_;
+      if (!found.found || !(high < out.high)) continue;
+      out.high = high;
+      out.beyond = beyond(s, start, unit, found.place, level_ - error);
     }
     return out;
   }
@@ -181,6 +182,32 @@ class CsgSide::GapNear : public NearRule {
     std::optional<Vector> center;  // of a ball
     double radius = 0;
   };
+
+  /// A part of B and one of A: by their boxes the function is nowhere on a stretch less.
+  struct PairOfParts {
+    const Moving* moving;
+    std::size_t part;
+    double least;
+  };
+  /// By that.
+  std::vector<PairOfParts> pairs(const PointWay& way) const {
+    std::vector<PairOfParts> out;
+    for (const Moving& s : parts_) {
+      const space::Extent swept = swept_box(s, way);
+      for (std::size_t k = 0; k < features_.size(); ++k)
+        out.push_back({&s, k, apart_or_deep(swept, side_->parts_[k].box())});
+    }
+    std::stable_sort(out.begin(), out.end(),
+                     [](const PairOfParts& a, const PairOfParts& b) { return a.least < b.least; });
+    return out;
+  }
+  /// How far two boxes are from each other; of those that meet minus how deep a place of one is in the other at most.
+  static double apart_or_deep(const space::Extent& a, const space::Extent& b) {
+    const double apart = space::distance(a, b);
+    if (apart > 0) return apart;
+    const Vector ahead = b.high - a.low, behind = a.high - b.low;
+    return -std::min({ahead.x, ahead.y, ahead.z, behind.x, behind.y, behind.z});
+  }
 
   /// The place of a part of A; nothing where it has no features or they do not tell.
   std::optional<BoundaryPlace> nearest_by_features(const Moving& s, std::size_t part, const PointWay& way,

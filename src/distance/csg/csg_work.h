@@ -19,21 +19,7 @@ inline constexpr long kMostCellsBetween = plane::kMostCellsOfQuestion / 20;
 inline constexpr long kMostCellsOfValue = kMostCellsBetween / 4, kMostCellsOfBody = kMostCellsOfValue / 4;
 /// Of a value that is asked for alone.
 inline constexpr long kMostCellsOfOneValue = 2 * kMostCellsBetween;
-inline constexpr long kLeastCellsOfLine = kMostCellsBetween / 16;
-
-/// What is asked ends when it has taken so many cells of those that are left to the question.
-template <class Ask>
-auto in_share(long share, const Ask& ask) {
-  const long given = std::max(std::min(plane::cells_left(), plane::allowed(share)), 1L);
-  plane::SearchWork work{given};
-  auto found = [&] {
-    const plane::ScopedSearchWork here(&work);
-    const ScopedStrictWork strict(&work);
-    return ask();
-  }();
-  plane::count_cells(given - work.left);
-  return found;
-}
+inline constexpr long kLeastCellsOfLine = kMostCellsBetween / 64;
 
 inline long share_of_line(const space::RayGrid& grid) {
   return std::max(kLeastCellsOfLine, kMostCellsBetween / (static_cast<long>(grid.nu) * grid.nv));

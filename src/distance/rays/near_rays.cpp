@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "distance/rays/value_rays.h"
+#include "distance/search/strict_work.h"
 #include "exact/margins/space_distance.h"
 #include "plane/base/search_work.h"
 
@@ -19,9 +21,11 @@ namespace {
 
 /// Searches of a line before the coarser certainty is enough, and at most.
 constexpr int kFineSearches = 400, kMostSearches = 6000;
-constexpr int kHard = 100;        // searches that one counts for that does not tell
-constexpr double kHardly = 0.75;  // of the blur: that counts as 0
-constexpr int kSteps = 64;        // that halve
+/// Where work is shared: how near ends are told first, of the sizes, and how much nearer each time after that.
+constexpr double kRoughly = 0x1p-3, kFiner = 4;  // no sign: less is left to be told
+constexpr int kHard = 100;                       // searches that one counts for that does not tell
+constexpr double kHardly = 0.75;                 // of the blur: that counts as 0
+constexpr int kSteps = 64;                       // that halve
 
 /// The place at which the function is least on the stretch, or one of a value of at most `enough`.
 double lowest(const std::function<AlongPlace(double)>& f, double from, double to, double enough) {
@@ -50,7 +54,8 @@ double reaches(const std::function<AlongPlace(double)>& f, double in, double out
 /// Along one line.
 class Walk {
  public:
-  Walk(const NearRule& rule, const NearLine& line, double size) : rule_(rule), line_(line), size_(size) {}
+  Walk(const NearRule& rule, const NearLine& line, double size)
+      : rule_(rule), line_(line), size_(size), certain_(strictly_limited() ? kRoughly : ValueRays::kCertain) {}
 
   exact::Tried<std::vector<SignStretch>> run(double from, double to) {
     const exact::Tried<NearRule::Known> known = rule_.known(line_);
@@ -64,33 +69,60 @@ class Walk {
       from = last;
     }
     leave(from, to);
-    while (!left_.empty() && !refused_) {
-      const auto [low, high] = left_.back();
-      left_.pop_back();
-      look(low, high);
-    }
-    if (refused_) return *refused_;
+    look_at_left();
+    while (certain_ > ValueRays::kCertain && !refused_) again(std::max(ValueRays::kCertain, certain_ / kFiner));
+    if (refused_ && !(spent_ && told())) return *refused_;
+    for (const auto& [low, high] : left_) put(low, high, 0);
     std::sort(known_.begin(), known_.end(), [](const SignStretch& a, const SignStretch& b) { return a.from < b.from; });
     return std::move(known_);
   }
 
  private:
-  double blur() const { return size_ * (searches_ < kFineSearches ? ValueRays::kCertain : ValueRays::kCoarse); }
+  double blur() const {
+    return size_ * std::max(certain_, searches_ < kFineSearches ? ValueRays::kCertain : ValueRays::kCoarse);
+  }
+
+  void look_at_left() {
+    while (!left_.empty() && !refused_) {
+      const auto [low, high] = left_.back();
+      left_.pop_back();
+      look(low, high);
+    }
+  }
+
+  /// What is not told is looked at again, with the work that is left. So where work is shared, all of a line is told
+  /// roughly before any end is told finely.
+  void again(double certain) {
+    certain_ = certain;
+    std::vector<SignStretch> untold;
+    std::partition_copy(known_.begin(), known_.end(), std::back_inserter(untold), known_.begin(),
+                        [](const SignStretch& s) { return s.sign == 0 && s.from < s.to; });
+    known_.resize(known_.size() - untold.size());
+    for (const SignStretch& s : untold) leave(s.from, s.to);
+    look_at_left();
+  }
 
   /// Nothing once the walk is refused.
   std::optional<NearRule::Least> least(double from, double to, const Until& until) {
-    if (!refused_ && (++asked_ > plane::allowed(kMostSearches) || plane::cells_left() <= 0))
+    if (!refused_ && (++asked_ > plane::allowed(kMostSearches) || plane::cells_left() <= 0)) {
       refused_.emplace(plane::search_spent("the signs along a line were not found"));
+      spent_ = true;
+    }
     if (refused_) return std::nullopt;
     exact::Tried<NearRule::Least> found = rule_.least(line_, from, to, until);
     if (!found) {
       refused_ = found.refusal();
+      spent_ = plane::cells_left() <= 0;
       return std::nullopt;
     }
     if (!found->quick) ++searches_;
     return *std::move(found);
   }
 
+  /// Whether a sign is known anywhere.
+  bool told() const {
+    return std::any_of(known_.begin(), known_.end(), [](const SignStretch& s) { return s.sign != 0; });
+  }
   void put(double from, double to, int sign) {
     if (from < to || sign == 0) known_.push_back({from, to, sign});
   }
@@ -153,7 +185,7 @@ class Walk {
     const double middle = (from + to) / 2;
     if (std::exchange(touching_, true)) {
       const auto there = least(middle, middle, {0, margin::kLineShare, blur() / 4});
-      if (!there) return;
+      if (!there) return leave(from, to);
       if (there->high <= blur() / 2) return hardly(from, to, middle, *there);
       if (there->low > blur()) {
         const double first = std::max(from, middle - there->low), last = std::min(to, middle + there->low);
@@ -170,7 +202,7 @@ class Walk {
     const double blur = this->blur();
     auto found = least(from, to, {0, 0, blur / 4});
     if (found && found->high < 0 && found->high > -blur) found = least(from, to, {0, margin::kLineShare, blur / 4});
-    if (!found) return;
+    if (!found) return leave(from, to);
     const NearRule::Least& v = *found;
     if (v.low >= -kHardly * blur && v.high <= blur / 2) return touch(from, to, v);
     touching_ = false;
@@ -182,12 +214,13 @@ class Walk {
 
   const NearRule& rule_;
   const NearLine& line_;
-  double size_;
+  double size_, certain_;
   std::vector<SignStretch> known_;
   std::vector<std::pair<double, double>> left_;
   int asked_ = 0, searches_ = 0;
   bool touching_ = false;  // what was looked at last
   std::optional<exact::Refusal> refused_;
+  bool spent_ = false;  // it is as the work went that a line may take
 };
 
 }  // namespace
@@ -196,7 +229,6 @@ exact::Tried<NearRule::Known> NearRule::known(const NearLine&) const { return Kn
 
 exact::Tried<std::vector<SignStretch>> near_stretches(const NearRule& rule, const NearLine& line,
                                                       const NearRange& range) {
-  const plane::SearchQuestion line_is_one;
   const double place = space::dot(range.middle - line.start, line.unit);
   return Walk(rule, line, range.size).run(place - 2 * range.size, place + 2 * range.size);
 }
@@ -214,7 +246,7 @@ exact::Tried<RayRow> NearRays::try_row(int j) const {
   for (int i = 0; i < grid_.nu; ++i) {
     const PositionLine line = position_line(grid_, unit_, i, j);
     const NearLine near{space::rounded(line.start), space::rounded(line.unit)};
-    const exact::Tried<std::vector<SignStretch>> stretches = near_stretches(*rule_, near, range_);
+    const auto stretches = in_share_of_line(grid_.nu - i, [&] { return near_stretches(*rule_, near, range_); });
     if (!stretches) return stretches.refusal();
     put_line(*stretches, unit_, out, outer_);
   }
