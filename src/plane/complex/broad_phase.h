@@ -39,7 +39,14 @@ class CellGrid {
   }
   /// The same for the cells of some columns: for ranges of columns one after the other, the same pairs in their order.
   template <class F>
-  void pairs(IndexRange columns, F&& f) const;
+  void pairs(IndexRange columns, F&& f) const {
+    pairs(
+        columns, [](Index) { return kNone; }, f);
+  }
+  /// Pieces that follow each other in a cell and are of one group(i), not kNone, are passed over.
+  template <class Group, class F>
+  void pairs(IndexRange columns, Group&& group, F&& f) const;
+  IndexRange columns() const { return {0, columns_}; }
   /// All columns in so many ranges that take about the same time; some may be empty.
   std::vector<IndexRange> strips(std::size_t count) const;
   /// The pieces in the cells of some columns, in their order.
@@ -102,8 +109,8 @@ inline PieceBox segment_box(const exact::Point& a, const exact::Point& b, double
 /// Holds the piece.
 PieceBox box_of(const exact::Geometry& g, const Piece& piece, double slack);
 
-template <class F>
-void CellGrid::pairs(IndexRange columns, F&& f) const {
+template <class Group, class F>
+void CellGrid::pairs(IndexRange columns, Group&& group, F&& f) const {
   if (columns.size() == 0) return;
   if (columns_ * rows_ == 1) {
     const Left* const end = sorted_.data() + sorted_.size();
@@ -119,9 +126,12 @@ void CellGrid::pairs(IndexRange columns, F&& f) const {
   for (Index c = Index(columns.first); c < columns.end; ++c)
     for (Index r = 0; r < rows_; ++r) {
       auto in = cell(c, r);
+      std::size_t end = 0;  // of the pieces of one group about s
       for (std::size_t s = 0; s + 1 < in.size(); ++s) {
         const PieceBox& b = boxes_[in[s]];
-        for (std::size_t t = s + 1; t < in.size(); ++t)
+        if (s >= end)
+          for (end = s + 1; end < in.size() && group(in[s]) != kNone && group(in[end]) == group(in[s]);) ++end;
+        for (std::size_t t = end; t < in.size(); ++t)
           if (b.meets(boxes_[in[t]]) && first_common_cell(in[s], in[t], c, r)) f(in[s], in[t]);
       }
     }

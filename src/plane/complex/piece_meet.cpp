@@ -257,13 +257,15 @@ void PieceMeetings::add_pairs(const CellGrid& grid) {
   const auto of_first = [&](const Piece& p) { return p.group == pieces_[0].group; };
   if (!pieces_.empty() && pieces_[0].group != kNone && std::all_of(pieces_.begin(), pieces_.end(), of_first)) return;
   const std::size_t ranges = range_count(pieces_.size(), kManyToMeet);
-  if (ranges == 1) return grid.pairs([&](Index i, Index j) { add_pair(i, j); });
+  const auto group = [&](Index i) { return pieces_[i].group; };
+  if (ranges == 1) return grid.pairs(grid.columns(), group, [&](Index i, Index j) { add_pair(i, j); });
   const std::vector<IndexRange> strips = grid.strips(ranges);
   std::vector<std::unique_ptr<OfStrip>> found(strips.size());
   parallel_for(strips.size(), [&](std::size_t k) {
     found[k] = std::make_unique<OfStrip>(g_, pieces_, grid, strips[k]);
     const Strip& strip = found[k]->strip;
-    grid.pairs(strips[k], [&](Index i, Index j) { found[k]->meetings.add_pair(strip.place(i), strip.place(j)); });
+    grid.pairs(strips[k], group,
+               [&](Index i, Index j) { found[k]->meetings.add_pair(strip.place(i), strip.place(j)); });
     found[k]->strip.drop_copies();
   });
   join(g_, *this, found);
