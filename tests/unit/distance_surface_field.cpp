@@ -144,5 +144,57 @@ TEST(PlaceTree, DividesAllPlacesAndItsBallsHoldThem) {
   EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), 100);
 }
 
+Vector somewhere(const Tetrahedron& t, std::mt19937& rng) {
+  Vector sum;
+  double weights = 0;
+  for (const Vector& v : t) {
+    const double w = -std::log(std::uniform_real_distribution<double>(1e-9, 1)(rng));
+    sum = space::plus(sum, space::scaled(w, v));
+    weights += w;
+  }
+  return space::scaled(1 / weights, sum);
+}
+
+TEST(FieldSamples, WhatIsSaidToBeWithinIs) {
+  for (int which = 0; which < 3; ++which) {
+    const space::SurfaceSet set = solids(which);
+    const SurfaceField field(set, {});
+    const FieldSamples samples(set);
+    std::mt19937 rng(3);
+    const auto pick = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(rng); };
+    int decided = 0, clear = 0;
+    for (int round = 0; round < 1000; ++round) {
+      const Vector at{pick(-200, 1200), pick(-200, 1200), pick(-200, 1200)};
+      Tetrahedron t;
+      for (Vector& v : t) v = space::plus(at, {pick(-60, 60), pick(-60, 60), round % 5 == 0 ? 0 : pick(-60, 60)});
+      const double most = pick(-100, 300);
+      double greatest = -1e9;
+      for (int k = 0; k < 50; ++k) greatest = std::max(greatest, field.at(somewhere(t, rng)).value);
+      for (const Vector& v : t) greatest = std::max(greatest, field.at(v).value);
+      const bool within = samples.within(t, most);
+      ASSERT_TRUE(!within || greatest <= most + 1e-9) << round;
+      decided += within;
+      clear += greatest < most - 60;
+    }
+    EXPECT_GT(decided, 100);
+    EXPECT_GE(decided, clear);
+    EXPECT_FALSE(samples.within({Vector{900, 0, 0}, {1000, 0, 0}, {1000, 100, 0}, {1000, 0, 40000}}, 1e9));  // beyond
+  }
+}
+
+TEST(FieldSamples, APlaceHasNoMoreThanIsSaid) {
+  const space::SurfaceSet set = solids(0);
+  const SurfaceField field(set, {});
+  const FieldSamples samples(set);
+  std::mt19937 rng(5);
+  std::uniform_real_distribution<double> coordinate(-400, 1400);
+  for (int round = 0; round < 1000; ++round) {
+    const Vector at{coordinate(rng), coordinate(rng), coordinate(rng)};
+    const double off = std::ldexp(64.0, -(round % 5)), most = samples.most_at(at, off), value = field.at(at).value;
+    ASSERT_GE(most, value - 1e-9) << round;
+    ASSERT_LE(most, value + 4 * off) << round;
+  }
+}
+
 }  // namespace distance_surface_field
 }  // namespace findspace::distance

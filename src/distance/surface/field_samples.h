@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // SPDX-FileCopyrightText: findspace contributors
 //
-// Bounds of signed distances to a surface, for searches that ask at very many places how these compare with a number:
-// as no step changes a distance by more than its length, one that is known nearby mostly tells. Those in the middles of
-// boxes of an octree are kept, which is made where it is asked, one box at a time. Guarantee: doubles, as
-// surface_field.h; what is told of a place is so, whatever was asked before. Cost: a hundred bytes and some ten
-// nanoseconds a box that is known, a signed distance for one that is new. Threads: safe. Keywords: adaptively sampled
-// distance field, octree.
+// Bounds of signed distances to a surface, for searches that ask at very many places, or of all places of a cell, how
+// these compare with a number: as no step changes a distance by more than its length, one that is known nearby mostly
+// tells. Those in the middles of boxes of an octree are kept, which is made where it is asked, one box at a time.
+// Guarantee: doubles, as surface_field.h; what is told of a place is so, whatever was asked before. Cost: a hundred
+// bytes and some ten nanoseconds a box that is known, a signed distance for one that is new. Threads: safe. Keywords:
+// adaptively sampled distance field, octree.
 #pragma once
 
 #include <algorithm>
@@ -20,10 +20,15 @@
 
 namespace findspace::distance {
 
+/// From the middle of a cube to its corners, in halves of its side.
+inline constexpr double kRootOfThree = 1.7320508075688774;
+
 class FieldSamples {
  public:
   /// Keeps a reference.
   explicit FieldSamples(const space::SurfaceSet& set);
+
+  const SurfaceField& field() const { return field_; }
 
   /// Tells enough() numbers between which the signed distance of the place lies, and closer ones, until it says yes.
   /// Last, after those of the boxes whose halves are not below `finest`, the distance itself.
@@ -39,13 +44,22 @@ class FieldSamples {
       known = meet(known, around(*box, space::length(x - middle)));
       if (enough(known)) return;
       if (!held || half < finest) break;
+      const std::size_t k = part_at(x, middle);
       half /= 2;
-      const Box* const part = part_of(*box, x, middle, half);
+      middle = middle_of(k, middle, half);
+      const Box* const part = part_of(*box, k, middle, half);
       if (part == nullptr) break;
       box = part;
     }
     enough(itself(x, known, *box));
   }
+  /// Not less than the value at x, and above it by no more than about `off`, or what the smallest boxes of cells say.
+  double most_at(const space::Vector& x, double off) const;
+  /// True where no place of the tetrahedron, or of the box, has more than `most`; false where the boxes do not tell.
+  bool within(const Tetrahedron& corners, double most) const;
+  bool within(const space::Extent& box, double most) const;
+  /// Half the side of the smallest boxes that cells are asked of.
+  double least_half() const { return std::ldexp(half_, -kDepth); }
 
  private:
   struct Box {
@@ -74,9 +88,22 @@ class FieldSamples {
   static SurfaceField::Known known_of(const exact::Interval& value, const Box& box) {
     return {box.nearest, value.lo > 0 ? 1 : value.hi < 0 ? -1 : 0};
   }
-  /// The one that holds x, whose half is given, and its middle instead of that of the whole; null where it is new and
-  /// there are very many.
-  const Box* part_of(const Box& whole, const space::Vector& x, space::Vector& middle, double half) const;
+  /// The number of the part that x lies in.
+  static std::size_t part_at(const space::Vector& x, const space::Vector& middle) {
+    return (x.x > middle.x ? 1U : 0U) | (x.y > middle.y ? 2U : 0U) | (x.z > middle.z ? 4U : 0U);
+  }
+  /// The middle of number k of the eight parts of a box about `whole`, whose half is given.
+  static space::Vector middle_of(std::size_t k, const space::Vector& whole, double half) {
+    return {whole.x + ((k & 1) != 0 ? half : -half), whole.y + ((k & 2) != 0 ? half : -half),
+            whole.z + ((k & 4) != 0 ? half : -half)};
+  }
+  /// That part, whose middle and half are given; null where it is new and there are very many.
+  const Box* part_of(const Box& whole, std::size_t k, const space::Vector& middle, double half) const;
+  struct Asked;
+  bool within(const Asked& asked) const;
+  bool within(const Box& box, const space::Vector& middle, double half, const Asked& asked) const;
+
+  static constexpr int kDepth = 9;  // of the boxes that cells are asked of
 
   SurfaceField field_;
   space::Extent about_;

@@ -8,8 +8,8 @@
 #include <memory>
 
 #include "distance/rays/protrusion_rays.h"
-#include "distance/search/field_boxes.h"
 #include "distance/search/tetrahedral_max_min.h"
+#include "distance/surface/field_samples.h"
 #include "distance/surface/place_tree.h"
 #include "distance/surface/surface_field.h"
 #include "distance/surface/void_places.h"
@@ -32,8 +32,6 @@ constexpr double kNearShare = 0.25;
 constexpr double kWideCell = 0.5;
 /// Places that are asked one by one.
 constexpr std::size_t kFewPlaces = 16;
-/// Of the octree about the surface.
-constexpr int kDepth = 9;
 /// Steps of a run, each as long as the point is clear.
 constexpr int kMostSteps = 60;
 /// Of the distance that is to be exceeded: what is looked at where a run is hardly clear.
@@ -70,7 +68,7 @@ class InnerBalls {
 /// A cell is bounded by a few triangles: any do.
 class SurfaceTarget : public MaxMinTarget {
  public:
-  SurfaceTarget(const SurfaceField& a, const SolidOfSurface* b, const FieldBoxes* boxes, const InnerBalls* balls)
+  SurfaceTarget(const SurfaceField& a, const SolidOfSurface* b, const FieldSamples* boxes, const InnerBalls* balls)
       : a_(a), b_(b), boxes_(boxes), balls_(balls) {
     for (const auto& sheet : a.set().sheets()) longest_ = std::max(longest_, sheet->longest);
     for (const auto& ball : a.set().balls()) longest_ = std::max(longest_, ball.radius.to_double());
@@ -299,7 +297,7 @@ class SurfaceTarget : public MaxMinTarget {
 
   const SurfaceField& a_;
   const SolidOfSurface* b_;
-  const FieldBoxes* boxes_;
+  const FieldSamples* boxes_;
   const InnerBalls* balls_;
   double longest_ = 0;  // edge of the surface
 };
@@ -307,23 +305,21 @@ class SurfaceTarget : public MaxMinTarget {
 class FieldOfSurfaces : public ProtrusionField {
  public:
   explicit FieldOfSurfaces(const std::vector<space::RaySolid>& solids)
-      : set_(made(solids)), field_(set_, {}), balls_(field_) {
+      : set_(made(solids)), boxes_(set_), balls_(field_) {
     const space::Extent box = field_.box();
     size_ = space::length(box.high - box.low);
-    boxes_ = std::make_unique<const FieldBoxes>(box.middle(), size_, kDepth,
-                                                [this](const Vector& x) { return field_.at(x).value; });
   }
   double size() const override { return size_; }
   SolidMaxMin max_min(const Solids& solids, double slack, double share) const override {
     Solids some = solids;
-    std::erase_if(some.cells, [&](const Tetrahedron& t) { return boxes_->within(t, slack); });
-    return tetrahedral_max_min(some, SurfaceTarget(field_, nullptr, boxes_.get(), &balls_),
+    std::erase_if(some.cells, [&](const Tetrahedron& t) { return boxes_.within(t, slack); });
+    return tetrahedral_max_min(some, SurfaceTarget(field_, nullptr, &boxes_, &balls_),
                                MaxMinBest(std::min(0.0, slack), slack, share, 0), plane::allowed(kMostCells));
   }
   bool outside(const Vector& x) const override {
     return field_.inside(x, field_.nearest(x, -exact::kInfinity, {}).distance) == std::optional(false);
   }
-  bool within(const space::Extent& box, double most) const override { return boxes_->within(box, most); }
+  bool within(const space::Extent& box, double most) const override { return boxes_.within(box, most); }
   std::vector<Tangent> tangents(const Vector& x, double least, double most) const override {
     std::vector<Tangent> out;
     const auto near = field_.near(x, most, kMostTangents);
@@ -375,10 +371,10 @@ class FieldOfSurfaces : public ProtrusionField {
   }
 
   space::SurfaceSet set_;
-  SurfaceField field_;
+  FieldSamples boxes_;
+  const SurfaceField& field_ = boxes_.field();
   InnerBalls balls_;
   double size_;
-  std::unique_ptr<const FieldBoxes> boxes_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "distance/surface/field_samples.h"
 #include "exact/margins/space_distance.h"
 #include "plane/base/subdivide.h"
 
@@ -21,7 +22,6 @@ constexpr double kVoidBox = 0x1p-6, kLeastVoidBox = 0x1p-14;  // no sign: where 
 constexpr double kVoidsApart = 0x1p-20;  // no sign: others are no nearer than a box
 constexpr std::size_t kMostNear = 256;
 constexpr int kMostTurns = 32;
-constexpr double kRootOfThree = 1.7320508075688774;
 
 struct VoidBox {
   Vector middle;
