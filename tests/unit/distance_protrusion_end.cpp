@@ -38,7 +38,7 @@ class Crease : public EndField {
 
 TEST(ProtrusionEnd, AnEdgeInACreaseAndFromThereInward) {
   // The wedge has its edge along y at its place, and opens towards x.
-  const std::vector<EndPlane> wedge{{{-kHalfRoot, 0, kHalfRoot}, 0}, {{-kHalfRoot, 0, -kHalfRoot}, 0}};
+  const std::vector<NearPlane> wedge{{{-kHalfRoot, 0, kHalfRoot}, 0}, {{-kHalfRoot, 0, -kHalfRoot}, 0}};
   for (const double slant : {0.0, 0.25}) {
     EndQuestion q{wedge, {0, 0, 0}, {std::sqrt(1 - slant * slant), slant, 0}};
     q.target = 2 * kHalfRoot;
@@ -52,7 +52,7 @@ TEST(ProtrusionEnd, AnEdgeInACreaseAndFromThereInward) {
     EXPECT_NEAR(found->x.z, 0, 1e-6);
     EXPECT_NEAR(found->at * q.unit.x, 3, 1e-6);
     for (const Tangent& t : Crease::at(found->x)) EXPECT_NEAR(space::dot(t.slope, found->inward), 1, 1e-9);
-    for (const EndPlane& p : wedge) {
+    for (const NearPlane& p : wedge) {
       const Vector off = found->inward - space::scaled(found->inward_at, q.unit);
       EXPECT_NEAR(space::dot(p.unit, off), 0, 1e-9);
     }

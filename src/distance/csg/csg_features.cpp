@@ -28,11 +28,6 @@ constexpr int kMostPoints = 200;
 constexpr double kLongest = 16;
 constexpr std::array<int, 3> kNowhere{-1, -1, -1};
 
-Vector across(const Vector& unit) {
-  const Vector any = space::cross(unit, std::fabs(unit.x) < 0.6 ? Vector{1, 0, 0} : Vector{0, 1, 0});  // no sign: any
-  return space::scaled(1 / space::length(any), any);
-}
-
 /// How two surfaces meet, of which the second comes so near to the middle of something round.
 enum class Meet { kApart, kTouch, kNearly, kCross };
 Meet meet(double near, double radius, double noise) {
@@ -66,7 +61,7 @@ Vector CsgFeatures::Feature::nearest(const Vector& x) const {
       Vector off = x - at;
       off = off - space::scaled(dot(off, unit), unit);
       const double far = space::length(off);
-      return space::plus(at, space::scaled(radius, far > 0 ? space::scaled(1 / far, off) : across(unit)));
+      return space::plus(at, space::scaled(radius, far > 0 ? space::scaled(1 / far, off) : distance::across(unit)));
     }
     case Kind::kPoint:
       return at;

@@ -343,12 +343,7 @@ namespace {
 
 /// A value between two, of which the second is taken.
 Answer between_two(const Real& one, const Real& taken) {
-  Answer out;
-  out.value = taken;
-  out.set_unproven();
-  out.error = abs(taken - one).to_double();
-  out.enclosed = one < taken ? Enclosure{one, taken} : Enclosure{taken, one};
-  return out;
+  return unproven_answer(taken, one < taken ? Enclosure{one, taken} : Enclosure{taken, one});
 }
 
 /// A value that may be any from there on, if there is one.

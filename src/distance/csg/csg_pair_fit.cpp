@@ -275,12 +275,7 @@ namespace {
 /// Minus the depth at the place of a search that ended before, as near as that knows it.
 Answer within_search(const SetProtrusion& out, double error) {
   const double low = out.found.value - error, high = space::length(out.found.place - out.nearest) + error;
-  Answer v;
-  v.value = Real::from_double(-low);
-  v.set_unproven();
-  v.error = high - low;
-  v.enclosed = Enclosure{Real::from_double(-high), v.value};
-  return v;
+  return unproven_answer(Real::from_double(-low), {Real::from_double(-high), Real::from_double(-low)});
 }
 
 }  // namespace

@@ -56,8 +56,7 @@ std::optional<FarPlace> far_on_cap(const NearSet::Ball& ball, const Vector& unit
   for (int times = 0; times < 2; ++times) {  // near the axis the first time leaves rounding
     along = along - space::scaled(space::dot(along, unit), unit);
     // no sign: on the axis any place of the circle is as far
-    if (space::length(along) == 0)
-      along = space::cross(unit, std::fabs(unit.x) < 0.6 ? Vector{1, 0, 0} : Vector{0, 1, 0});
+    if (space::length(along) == 0) along = distance::across(unit);
     along = space::scaled(1 / space::length(along), along);
   }
   return far_place(x, space::plus(ball.center, space::scaled(std::sqrt(square), along) - space::scaled(high, unit)));
@@ -365,12 +364,8 @@ TriedAnswer CsgSide::made_diameter() const {
     bound = std::max(bound, found.bound);
     if (found.found) most = std::max(most, farthest_place(parts_, found.place, size_).value);
   }
-  Answer out;
-  out.value = Real::from_double(most);
-  out.set_unproven();
-  out.enclosed = Enclosure{Real::from_double(most - error), Real::from_double(std::min(bound, ceiling) + error)};
-  out.error = out.enclosed->width();
-  return out;
+  return unproven_answer(Real::from_double(most),
+                         {Real::from_double(most - error), Real::from_double(std::min(bound, ceiling) + error)});
 }
 
 TriedAnswer CsgSide::diameter(const RealVector& p) const {

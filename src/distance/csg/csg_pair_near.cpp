@@ -52,19 +52,6 @@ class SweptPart {
 /// The distance to the segment from start + from * unit to start + to * unit.
 TouchingConstraint distance_to_segment(const space::Vector& start, const space::Vector& unit, double from, double to);
 
-namespace {
-
-Touching nearest_plane(const std::vector<NearPlane>& planes, const Vector& x) {
-  Touching best{-exact::kInfinity, {}};
-  for (const NearPlane& h : planes) {
-    const double value = dot(h.unit, x) + h.shift;
-    if (value > best.value) best = {value, h.unit};
-  }
-  return best;
-}
-
-}  // namespace
-
 SweptPart::SweptPart(const space::BodyPart& part, const Vector& unit)
     : unit_(unit), center_(exact::approx(part.center)), radius_(part.radius.to_double()), point_(part.point()) {
   if (point_) return;
@@ -114,7 +101,7 @@ TouchingConstraint SweptPart::gap(const Vector& start, double from, double to) c
   TouchingConstraint away = touching_way(way_to(planes), start, radius_);
   if (radius_ > 0) return away;
   return [planes = std::move(planes), away = std::move(away), start](const Vector& x) {
-    const Touching inside = nearest_plane(planes, x - start);
+    const Touching inside = highest_of(planes, x - start);
     return inside.value < 0 ? inside : away(x);
   };
 }
@@ -438,9 +425,7 @@ TriedAnswer CsgSide::least_gap_along(const std::shared_ptr<const CsgSide>& side,
   const Vector along = space::rounded(direction), unit = space::scaled(1 / space::length(along), along);
   const NearRange range = meeting_range(*side, Real());
   const GapNear rule(side, 0, unit);
-  Vector across = space::cross(unit, std::fabs(unit.x) < 0.6 ? Vector{1, 0, 0} : Vector{0, 1, 0});  // no sign: any
-  across = space::scaled(1 / space::length(across), across);
-  const Vector upward = space::cross(unit, across);
+  const Vector across = distance::across(unit), upward = space::cross(unit, across);
   double longest = 0;
   Vector middle = range.middle, best = range.middle;
   const double most = -bound.to_double() * (both_ways ? 2 : 1), blur = 4 * ValueRays::kCertain * range.size;

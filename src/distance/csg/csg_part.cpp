@@ -37,11 +37,6 @@ bool flat_sided(const BodyPart& part) { return part.core && part.radius.sign() =
 
 }  // namespace
 
-space::Extent in_both(const space::Extent& a, const space::Extent& b) {
-  return {{std::max(a.low.x, b.low.x), std::max(a.low.y, b.low.y), std::max(a.low.z, b.low.z)},
-          {std::min(a.high.x, b.high.x), std::min(a.high.y, b.high.y), std::min(a.high.z, b.high.z)}};
-}
-
 double cut_size(const Body& b, const space::CsgSolid& a) {
   double size = 1 + size_of(b);
   const auto take = [&](const BodyPart& part) { size = std::max(size, 1 + size_of(space::body_of_part(part))); };

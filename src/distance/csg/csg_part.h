@@ -30,8 +30,6 @@ struct CsgPartSearch {
   const space::Extent& box() const { return places.box(); }
 };
 
-/// What two boxes have in common; of two that are apart `low` is not below `high`.
-space::Extent in_both(const space::Extent& a, const space::Extent& b);
 /// Of all coordinates and radii.
 double cut_size(const space::Body& b, const space::CsgSolid& a);
 /// Whether no part of it has interior that doubles can see.

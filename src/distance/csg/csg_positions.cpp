@@ -252,11 +252,7 @@ class CsgConstraints : public LazyConstraints {
   Slack most(std::size_t k, const Vector& p, const SlackEnd& end) const {
     at_ = p;
     const CsgPosition& pair = all_->pairs[k];
-    const Vector low = space::plus(pair.box.low, p), high = space::plus(pair.box.high, p), &from = pair.part->box().low,
-                 &to = pair.part->box().high;
-    const PositionSet::Box box{{std::max(low.x, from.x), std::max(low.y, from.y), std::max(low.z, from.z)},
-                               {std::min(high.x, to.x), std::min(high.y, to.y), std::min(high.z, to.z)}};
-    const Slack out = common_[k].deepest(end, box);
+    const Slack out = common_[k].deepest(end, in_both(space::moved(pair.box, p), pair.part->box()));
     cells_ += out.cells;
     return out;
   }

@@ -43,17 +43,9 @@ struct CornerStretch {
   CornerEnd from, to;
 };
 
-/// What is not + on line i of a row.
-std::vector<CornerStretch> stretches_on(const RayRow& row, int i, int corner) {
+std::vector<CornerStretch> of_one_corner(const RayRow& row, int i, int corner) {
   std::vector<CornerStretch> out;
-  bool open = false;
-  for (int e = row.first[static_cast<std::size_t>(i)]; e < row.first[static_cast<std::size_t>(i) + 1]; ++e) {
-    const RayEvent& event = row.events[static_cast<std::size_t>(e)];
-    if (!open && event.here > 0) continue;
-    if (!open) out.push_back({{event.at, corner}, {event.at, corner}});
-    open = event.after <= 0;
-    out.back().to = {event.at, corner};
-  }
+  for (const EventStretch& s : stretches_on(row, i)) out.push_back({{s.first->at, corner}, {s.last->at, corner}});
   return out;
 }
 
@@ -106,7 +98,7 @@ class CornerRays : public LineStretches {
     RayRow out;
     for (int i = 0; i < grid_.nu; ++i) {
       std::vector<CornerStretch> left;
-      if (within) left = stretches_on(*within, i, -1);
+      if (within) left = of_one_corner(*within, i, -1);
       bool all = !within;  // nothing was cut away yet
       for (std::size_t k = 0; k < order.size() && (all || !left.empty()); ++k) {
         const int corner = order[k];
@@ -159,7 +151,7 @@ class CornerRays : public LineStretches {
 
   std::vector<CornerStretch> of_corner(int corner, int i, int j, std::optional<RayRow>& balls) const {
     const Sources& of = sources_[static_cast<std::size_t>(corner)];
-    if (!of.balls && of.surfaces.size() == 1) return stretches_on(of.surfaces[0]->line(i, j), 0, corner);
+    if (!of.balls && of.surfaces.size() == 1) return of_one_corner(of.surfaces[0]->line(i, j), 0, corner);
     std::vector<RayRow> rows;
     for (const auto& s : of.surfaces) rows.push_back(s->line(i, j));
     if (of.balls) {
@@ -172,7 +164,7 @@ class CornerRays : public LineStretches {
     }
     const RayRow least =
         space::combined(rows, [](std::span<const std::int8_t> s) { return *std::min_element(s.begin(), s.end()); });
-    return stretches_on(least, 0, corner);
+    return of_one_corner(least, 0, corner);
   }
 
   static void put(const std::vector<CornerStretch>& stretches, RayRow& out) {
@@ -196,6 +188,19 @@ class CornerRays : public LineStretches {
 };
 
 }  // namespace
+
+std::vector<EventStretch> stretches_on(const RayRow& row, int i) {
+  std::vector<EventStretch> out;
+  bool open = false;
+  for (int e = row.first[static_cast<std::size_t>(i)]; e < row.first[static_cast<std::size_t>(i) + 1]; ++e) {
+    const RayEvent& event = row.events[static_cast<std::size_t>(e)];
+    if (!open && event.here > 0) continue;
+    if (!open) out.push_back({&event, &event});
+    open = event.after <= 0;
+    out.back().last = &event;
+  }
+  return out;
+}
 
 std::unique_ptr<LineStretches> stretches_of(space::RaySourcePointer source) {
   return std::make_unique<StretchesOfSource>(std::move(source));

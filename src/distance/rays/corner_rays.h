@@ -19,6 +19,13 @@
 
 namespace findspace::distance {
 
+/// Of a closed stretch of a line: where it begins and ends; the same for a single place.
+struct EventStretch {
+  const space::RayEvent *first, *last;
+};
+/// What is not + on line i of a row.
+std::vector<EventStretch> stretches_on(const space::RayRow& row, int i);
+
 /// Closed stretches of lines: + outside, - inside, 0 at ends.
 class LineStretches {
  public:

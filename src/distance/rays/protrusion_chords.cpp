@@ -16,9 +16,9 @@ using space::Vector;
 
 /// The line {x - s * unit} meets the half spaces for s in between; for none where it runs along a face farther outside
 /// than `noise`.
-void clip(const std::vector<EndPlane>& planes, const Vector& x, const Vector& unit, double noise, double& from,
+void clip(const std::vector<NearPlane>& planes, const Vector& x, const Vector& unit, double noise, double& from,
           double& to) {
-  for (const EndPlane& h : planes) {
+  for (const NearPlane& h : planes) {
     const double value = h.approx_value(x), slope = space::dot(h.unit, unit);  // value - s * slope <= 0
     if (std::fabs(slope) < margin::kAlongFace) {
       if (value <= noise) continue;

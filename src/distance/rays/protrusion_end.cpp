@@ -117,7 +117,7 @@ class OutermostPlace {
   std::vector<EndRow> plane_rows(const Vector& x, double at, double reach) const {
     std::vector<EndRow> out;
     const Vector off = x - space::plus(q_.start, space::scaled(at, q_.unit));
-    for (const EndPlane& p : q_.planes) {
+    for (const NearPlane& p : q_.planes) {
       const double beyond = p.approx_value(off) + q_.room;
       if (beyond < -reach) continue;
       out.push_back({{-p.unit.x, -p.unit.y, -p.unit.z, space::dot(p.unit, q_.unit)}, beyond});

@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "space/polytope/vector.h"
+#include "distance/search/convex_distance.h"
 
 namespace findspace::distance {
 
@@ -29,16 +29,9 @@ class EndField {
   virtual std::vector<Tangent> tangents(const space::Vector& x, double least, double most) const = 0;
 };
 
-/// unit . x + shift <= 0.
-struct EndPlane {
-  space::Vector unit;
-  double shift = 0;
-  double approx_value(const space::Vector& x) const { return space::dot(unit, x) + shift; }
-};
-
 struct EndQuestion {
-  std::span<const EndPlane> planes;  // of B at place 0
-  space::Vector start, unit;         // B is at start + s * unit
+  std::span<const NearPlane> planes;  // of B at place 0
+  space::Vector start, unit;          // B is at start + s * unit
   double target = 0;
   double room = 0;  // so far within the planes
   int way = 1;      // +: the greatest s

@@ -19,14 +19,17 @@ using space::Body;
 using space::BodyPart;
 using space::Vector;
 
+double size_of(const Body& body) {
+  const space::Bounds3 box = bounds(body);
+  return space::length(space::rounded(space::minus(box.high, box.low)));
+}
+
 class PartsField : public ProtrusionField {
  public:
-  PartsField(const space::Body& body, std::span<const space::WallBridge> further) {
+  PartsField(const space::Body& body, std::span<const space::WallBridge> further) : size_(size_of(body)) {
     // Less than 0 inside: at small levels what is deep in A counts.
     for (const space::BodyPart& part : body.parts) nearest_.push_back(grown_distance(grown_set(part)));
     for (const space::WallBridge& set : further) nearest_.push_back(grown_distance({set.planes, {}, {}}));
-    const space::Bounds3 box = bounds(body);
-    size_ = space::length(space::rounded(space::minus(box.high, box.low)));
   }
   double size() const override { return size_; }
   SolidMaxMin max_min(const Solids& solids, double slack, double share) const override {
@@ -58,11 +61,6 @@ class PartsField : public ProtrusionField {
   std::vector<ConvexDistance> nearest_;
   double size_;
 };
-
-double size_of(const Body& body) {
-  const space::Bounds3 box = bounds(body);
-  return space::length(space::rounded(space::minus(box.high, box.low)));
-}
 
 /// Of the angle at a corner: that of a sharper one is cut off, for the edges beside it meet far out.
 constexpr double kSharp = 0.96;  // no sign: how much the triangle is thickened

@@ -79,14 +79,8 @@ ProtrusionRays::ProtrusionRays(ProtrusionParts b, std::shared_ptr<const Protrusi
 }
 
 ProtrusionRays::Line ProtrusionRays::line(int i, int j) const {
-  if (grid_.oblique)
-    return {space::scaled(unit_, space::rounded(grid_.oblique->origin)), space::rounded(grid_.oblique->frame[2])};
-  std::array<double, 3> start{}, unit{};
-  const auto axis = static_cast<std::size_t>(grid_.axis);
-  start[(axis + 1) % 3] = static_cast<double>(grid_.u_at(i)) * unit_;
-  start[(axis + 2) % 3] = static_cast<double>(grid_.v_at(j)) * unit_;
-  unit[axis] = 1;
-  return {{start[0], start[1], start[2]}, {unit[0], unit[1], unit[2]}};
+  const PositionLine line = position_line(grid_, unit_, i, j);
+  return {space::rounded(line.start), space::rounded(line.unit)};
 }
 
 /// What B covers on the stretch of its way, but for what is surely within.
@@ -203,7 +197,7 @@ std::optional<ProtrusionRays::Stretch> ProtrusionRays::inward(const Side& side, 
   if (!(speed > 0) || !(y.inward_at * (until - y.at) > 0)) return std::nullopt;
   double most = (until - y.at) / y.inward_at;
   const Vector off = y.x - space::plus(line.start, space::scaled(y.at, line.unit));
-  for (const EndPlane& p : part.planes) {
+  for (const NearPlane& p : part.planes) {
     const double room = -p.approx_value(off),
                  used = space::dot(p.unit, y.inward - space::scaled(y.inward_at, line.unit));
     if (used > 0) most = std::min(most, std::max(room, 0.0) / used);  // no sign: how far it is looked
@@ -387,20 +381,6 @@ void ProtrusionRays::keep(std::span<const Stretch> gone, const RayEvent& first, 
   if (!open) put(last.at);
 }
 
-/// The stretches of line i, which are all that there are.
-std::vector<ProtrusionRays::Stretch> ProtrusionRays::stretches(const RayRow& row, int i) const {
-  std::vector<Stretch> out;
-  bool open = false;
-  for (int e = row.first[static_cast<std::size_t>(i)]; e < row.first[static_cast<std::size_t>(i) + 1]; ++e) {
-    const RayEvent& event = row.events[static_cast<std::size_t>(e)];
-    const double at = event.at.value * unit_;
-    if (!open) out.push_back({at, at});
-    open = event.after < 0;
-    out.back().to = at;
-  }
-  return out;
-}
-
 /// `inner`: what is certainly kept.
 exact::Tried<RayRow> ProtrusionRays::kept(const Side& side, int j, const RayRow& allowed, const RayRow* inner,
                                           std::vector<Places>& seen) const {
@@ -408,18 +388,16 @@ exact::Tried<RayRow> ProtrusionRays::kept(const Side& side, int j, const RayRow&
   seen.resize(static_cast<std::size_t>(grid_.nu));
   for (int i = 0; i < grid_.nu; ++i) {
     const auto column = static_cast<std::size_t>(i);
-    const std::vector<Stretch> known = inner ? stretches(*inner, i) : std::vector<Stretch>{};
+    std::vector<Stretch> known;
+    if (inner) {
+      for (const auto& [first, last] : stretches_on(*inner, i)) known.push_back(whole(*first, *last));
+    }
     out.before.push_back(1);
     if (!inner && i > 0) seen[column] = seen[column - 1];
-    for (int e = allowed.first[column]; e < allowed.first[column + 1]; ++e) {
-      const RayEvent& first = allowed.events[static_cast<std::size_t>(e)];
-      if (first.here > 0) continue;
-      // Places where a vertex touches from inside are not ends.
-      while (allowed.events[static_cast<std::size_t>(e)].after <= 0) ++e;
-      const RayEvent& last = allowed.events[static_cast<std::size_t>(e)];
-      const exact::Tried<std::vector<Stretch>> gone = cuts(side, line(i, j), whole(first, last), known, seen[column]);
+    for (const auto& [first, last] : stretches_on(allowed, i)) {
+      const exact::Tried<std::vector<Stretch>> gone = cuts(side, line(i, j), whole(*first, *last), known, seen[column]);
       if (!gone) return gone.refusal();
-      keep(*gone, first, last, out.events);
+      keep(*gone, *first, *last, out.events);
     }
     out.first.push_back(static_cast<int>(out.events.size()));
   }

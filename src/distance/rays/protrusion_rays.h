@@ -78,7 +78,7 @@ struct ProtrusionPart {
   std::vector<Tetrahedron> solid;
   std::vector<std::array<space::Vector, 3>> faces;  // triangles
   std::vector<space::Vector> normals;               // of the triangles, outward
-  std::vector<EndPlane> planes;
+  std::vector<NearPlane> planes;
   space::Vector center;
   double radius = 0;
   int surface = 0;  // that a triangle is of
@@ -145,7 +145,6 @@ class ProtrusionRays : public space::RaySource {
   };
 
   Line line(int i, int j) const;
-  std::vector<Stretch> stretches(const space::RayRow& row, int i) const;
   /// Of what its vertices allow. `seen`: of each line.
   exact::Tried<space::RayRow> kept(const Side& side, int j, const space::RayRow& allowed, const space::RayRow* inner,
                                    std::vector<Places>& seen) const;

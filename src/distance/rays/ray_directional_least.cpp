@@ -9,6 +9,7 @@
 #include "distance/rays/swept_fits.h"
 #include "distance/search/convex_distance.h"
 #include "distance/search/grown_set.h"
+#include "distance/search/position_set.h"
 #include "distance/search/union_fit.h"
 #include "exact/margins/rounding.h"
 #include "exact/margins/space_distance.h"
@@ -157,17 +158,8 @@ TriedAnswer round_fit(const Body& b, const Body& a, const RealVector& direction,
   if (!box) return std::nullopt;
   RoundRunQuery query = round_query(box->low, box->high, direction);
   if (a.convex()) {
-    const space::BodyPart& part = a.parts[0];
-    std::vector<TouchingConstraint> corners;
-    for (const space::BodyPart& of_b : b.parts) {
-      const double radius = (part.radius - of_b.radius).to_double();
-      for (const space::Point& v : of_b.vertices()) {
-        const space::Vector at = space::scaled(-1, exact::approx(v));
-        corners.push_back(radius > 0 || part.point() ? touching_distance(part, at, radius)
-                                                     : highest_plane(part.planes(), at, -radius));
-      }
-    }
-    query.sets.push_back([corners](const space::Vector& x) {
+    const PositionSet fits = PositionSet::inside(b, a.parts[0], box->low, box->high);
+    query.sets.push_back([corners = fits.constraints().convex](const space::Vector& x) {
       Touching most = corners[0](x);
       for (std::size_t k = 1; k < corners.size(); ++k) {
         const Touching next = corners[k](x);

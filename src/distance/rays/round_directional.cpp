@@ -13,10 +13,12 @@
 #include "distance/rays/ray_signs.h"
 #include "distance/rays/value_rays.h"
 #include "distance/search/grown_set.h"
+#include "distance/search/position_set.h"
 #include "distance/search/solid_max_min.h"
 #include "exact/margins/space_distance.h"
 #include "plane/base/search_work.h"
 #include "plane/base/subdivide.h"
+#include "space/body/body_boxes.h"
 #include "space/rays/ray_sources.h"
 
 namespace findspace::distance {
@@ -169,13 +171,6 @@ Between least_on(std::span<const ConvexDistance> functions, const Vector& p, con
   return out;
 }
 
-/// Of positions within a box: where all of `out` are at least 0, or `in` is at most 0.
-struct Positions {
-  std::vector<ConvexDistance> out;
-  ConvexDistance in;
-  Vector low, high;
-};
-
 /// Constraints along the ways of a query.
 class Sweeper {
  public:
@@ -187,41 +182,53 @@ class Sweeper {
   PathStretch stretch(double from, double to) const { return {unit_, from, to}; }
 
   /// - where all of the way lies in the union of the open sets that the functions are less than 0 in.
-  Source held(const Positions& sets, const PathStretch& way) const {
-    return map(sets, way, [functions = sets.out, way](const Vector& p, double size) {
+  Source held(const PositionSet& sets, const PathStretch& way) const {
+    return map(sets, way, [functions = sets.constraints().reverse_convex, way](const Vector& p, double size) {
       return greatest_of_least(functions, p, way, size);
     });
   }
   /// - where some place of the way belongs to the inside of the positions, + where none belongs.
-  Source met(const Positions& fits, const PathStretch& way) const {
-    return map(fits, way, [fits, way](const Vector& p, double size) {
-      if (fits.in) return least_on(fits.in, p, way, size);
-      const Between most = greatest_of_least(fits.out, p, way, size);
-      return Between{-most.high, -most.low};
-    });
+  Source met(const PositionSet& fits, const PathStretch& way) const {
+    return map(fits, way,
+               [in = breaking(fits), out = fits.constraints().reverse_convex, way](const Vector& p, double size) {
+                 if (in) return least_on(in, p, way, size);
+                 const Between most = greatest_of_least(out, p, way, size);
+                 return Between{-most.high, -most.low};
+               });
   }
   /// - where all places of the way do.
-  Source kept(const Positions& fits, const PathStretch& way) const {
-    return map(fits, way, [fits, way](const Vector& p, double size) {
-      if (!fits.in) {
-        const Between least = least_on(fits.out, p, way, size);
-        return Between{-least.high, -least.low};
-      }
-      const auto at = [&](double s) { return fits.in(space::plus(p, space::scaled(s, way.unit))); };
-      const double most = std::max(at(way.from), at(way.to)), noise = margin::kRayNoise * size;
-      return Between{most - noise, most + noise};
-    });
+  Source kept(const PositionSet& fits, const PathStretch& way) const {
+    return map(fits, way,
+               [in = breaking(fits), out = fits.constraints().reverse_convex, way](const Vector& p, double size) {
+                 if (!in) {
+                   const Between least = least_on(out, p, way, size);
+                   return Between{-least.high, -least.low};
+                 }
+                 const auto at = [&](double s) { return in(space::plus(p, space::scaled(s, way.unit))); };
+                 const double most = std::max(at(way.from), at(way.to)), noise = margin::kRayNoise * size;
+                 return Between{most - noise, most + noise};
+               });
   }
 
  private:
   using Rule = std::function<Between(const Vector&, double)>;
 
-  Source map(const Positions& set, const PathStretch& way, const Rule& rule) const {
+  /// The worst of what an intersection of convex sets says of a position; nothing of what a union leaves.
+  static ConvexDistance breaking(const PositionSet& fits) {
+    if (fits.constraints().convex.empty()) return nullptr;
+    return [all = fits.constraints().convex](const Vector& x) {
+      double most = -kInfinity;
+      for (const TouchingConstraint& f : all) most = std::max(most, f(x).value);
+      return most;
+    };
+  }
+  Source map(const PositionSet& set, const PathStretch& way, const Rule& rule) const {
     const double reach = std::max(std::fabs(way.from), std::fabs(way.to));
-    const double size = space::length(set.high - set.low) + 2 * reach + 1;
-    const double all = size + space::size_of(set.low) + space::size_of(set.high);
+    const Vector &low = set.box().low, &high = set.box().high;
+    const double size = space::length(high - low) + 2 * reach + 1;
+    const double all = size + space::size_of(low) + space::size_of(high);
     const RayRule at = [rule, all](const space::RealVector& p) { return rule(space::rounded(p), all); };
-    return std::make_unique<ValueRays>(at, space::scaled(0.5, space::plus(set.low, set.high)), size, scale_, grid_);
+    return std::make_unique<ValueRays>(at, set.box().middle(), size, scale_, grid_);
   }
 
   Vector unit_;
@@ -230,45 +237,16 @@ class Sweeper {
   RayGrid grid_;
 };
 
-Vector box_corner(const Body& a, const Body& b, bool high, bool fit) {
-  const space::Bounds3 outer = bounds(a), inner = bounds(b);
-  if (high) return space::rounded(space::minus(outer.high, fit ? inner.high : inner.low));
-  return space::rounded(space::minus(outer.low, fit ? inner.low : inner.high));
-}
-
 /// The open sets of U.
-Positions overlaps(const Body& b, const Body& a) {
-  Positions out{{}, {}, box_corner(a, b, false, false), box_corner(a, b, true, false)};
-  for (const GrownSet& set : differences_of_parts(a, b)) out.out.push_back(grown_distance(set));
-  return out;
+PositionSet overlaps(const Body& b, const Body& a) {
+  const space::Bounds3 box = space::meeting(bounds(b), bounds(a));
+  return PositionSet::outside(differences_of_parts(a, b), box.low, box.high);
 }
 
-/// How far a corner of B is from A, less the radii, at most.
-ConvexDistance corner_distance(const Body& b, const BodyPart& a) {
-  struct Corner {
-    Vector at;
-    double radius;
-  };
-  std::vector<Corner> corners;
-  for (const BodyPart& part : b.parts) {
-    for (const space::Point& v : part.vertices()) corners.push_back({exact::approx(v), part.radius.to_double()});
-  }
-  return [corners, to = grown_distance(grown_set(a))](const Vector& p) {
-    double most = -exact::kInfinity;
-    for (const Corner& c : corners) most = std::max(most, to(space::plus(p, c.at)) + c.radius);
-    return most;
-  };
-}
-
-/// E; A is convex, or without radii.
-Positions fits(const Body& b, const Body& a) {
-  Positions out{{}, {}, box_corner(a, b, false, true), box_corner(a, b, true, true)};
-  if (a.convex()) {
-    out.in = corner_distance(b, a.parts[0]);
-    return out;
-  }
-  for (const GrownSet& set : differences_of_outside(a, b)) out.out.push_back(grown_distance(set));
-  return out;
+/// E, in the box; A is convex, or without radii.
+PositionSet fits(const Body& b, const Body& a, const space::Bounds3& box) {
+  return a.convex() ? PositionSet::inside(b, a.parts[0], box.low, box.high)
+                    : PositionSet::outside(differences_of_outside(a, b), box.low, box.high);
 }
 
 }  // namespace
@@ -284,10 +262,9 @@ exact::Tried<Source> round_fit_map(const Real& level, const DirectionalQuery& qu
   if (a.round() && !a.convex())
     return exact::Refusal(
         "containment in a union of round parts along a direction is computed on rays at level 0 only");
-  const Positions places = fits(b, a);
-  const Vector size = places.high - places.low;
-  const bool never = size.x < 0 || size.y < 0 || size.z < 0;
-  if (never || (query.farthest && level.sign() < 0)) return space::constant_rays(grid, 1);
+  const auto box = space::fitting(bounds(b), bounds(a));
+  if (!box || (query.farthest && level.sign() < 0)) return space::constant_rays(grid, 1);
+  const PositionSet places = fits(b, a, *box);
   const Sweeper sweep(query, b.scale, grid);
   const double reach = std::fabs(level.to_double());
   if (!query.farthest)
@@ -298,7 +275,7 @@ exact::Tried<Source> round_fit_map(const Real& level, const DirectionalQuery& qu
                                  : space::mapped_rays(ray_sign_map(Which::kEta1, Real(), b, a, grid),
                                                       [](int s) { return s <= 0 ? 0 : 1; }));
   // From within the level of a place no other place is farther than this.
-  const double most = reach + space::length(size) + 1;
+  const double most = reach + space::length(places.box().high - places.box().low) + 1;
   all.push_back(space::negated_rays(sweep.met(places, sweep.stretch(reach, most))));
   if (query.both_ways) all.push_back(space::negated_rays(sweep.met(places, sweep.stretch(-most, -reach))));
   return space::greatest_rays(std::move(all));

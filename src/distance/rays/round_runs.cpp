@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "distance/search/lp_bound.h"
+#include "distance/search/round_solid.h"
 #include "exact/margins/space_distance.h"
 #include "plane/base/search_work.h"
 #include "plane/base/subdivide.h"
@@ -80,13 +81,8 @@ RunBound most_of_least(const std::vector<RunValues>& columns) {
 class RoundRunSearch {
  public:
   explicit RoundRunSearch(const RoundRunQuery& query) : query_(query), unit_(query.unit) {
-    const Vector aside = std::fabs(unit_.x) <= std::fabs(unit_.y) && std::fabs(unit_.x) <= std::fabs(unit_.z)
-                             ? Vector{1, 0, 0}
-                         : std::fabs(unit_.y) <= std::fabs(unit_.z) ? Vector{0, 1, 0}
-                                                                    : Vector{0, 0, 1};
-    const Vector across = crossed(aside, unit_);
-    first_ = space::scaled(1 / space::length(across), across);
-    second_ = crossed(unit_, first_);
+    first_ = distance::across(unit_);
+    second_ = space::cross(unit_, first_);
     const Vector& low = query.box.low;
     const Vector& high = query.box.high;
     size_ = space::size_of(low) + space::size_of(high) + 1;
@@ -122,9 +118,6 @@ class RoundRunSearch {
   }
 
  private:
-  static Vector crossed(const Vector& a, const Vector& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-  }
   double enough() const { return margin::kRayCertain * size_; }
 
   Vector place(const RunLine& y, double t) const {

@@ -48,13 +48,15 @@ void TetrahedralCell::draw(plane::ObservedCells& seen) const {
   seen.add_tetrahedron({at(0), at(1), at(2), at(3)});
 }
 
-bool holds(const Tetrahedron& t, const Vector& x) {
+double beyond_faces(const Tetrahedron& t, const Vector& x) {
+  double out = -exact::kInfinity;
   for (std::size_t v = 0; v < 4; ++v) {
-    const Vector &a = t[(v + 1) % 4], &b = t[(v + 2) % 4], &c = t[(v + 3) % 4];
-    const Vector e = b - a, g = c - a, normal{e.y * g.z - e.z * g.y, e.z * g.x - e.x * g.z, e.x * g.y - e.y * g.x};
-    if (space::dot(normal, x - a) * space::dot(normal, t[v] - a) < 0) return false;
+    const Vector& a = t[(v + 1) % 4];
+    const Vector n = space::cross(t[(v + 2) % 4] - a, t[(v + 3) % 4] - a);
+    const double own = space::dot(n, t[v] - a), there = space::dot(n, x - a), size = space::length(n);
+    out = std::max(out, (own > 0 ? -there : there) / size);
   }
-  return true;
+  return out;
 }
 
 }  // namespace findspace::distance

@@ -150,7 +150,7 @@ class BoundarySearch {
   }
 
   bool in_domain(const Vector& x) const {
-    return std::any_of(domain_.begin(), domain_.end(), [&](const Tetrahedron& t) { return holds(t, x); });
+    return std::any_of(domain_.begin(), domain_.end(), [&](const Tetrahedron& t) { return beyond_faces(t, x) <= 0; });
   }
 
   void take_about(const Vector& x, double value) {

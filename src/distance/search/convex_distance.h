@@ -16,6 +16,7 @@ namespace findspace::distance {
 struct NearPlane {
   space::Vector unit;
   double shift = 0;
+  double approx_value(const space::Vector& x) const { return space::dot(unit, x) + shift; }
 };
 
 /// {x : every plane <= 0}, bounded or not.

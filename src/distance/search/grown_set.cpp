@@ -100,14 +100,7 @@ Answer GrownSet::to_boundary(const RealVector& p) const {
 }
 
 TouchingConstraint highest_plane(std::vector<HalfSpace> planes, const Vector& p, double inward) {
-  return [planes = std::move(planes), p, inward](const Vector& x) {
-    Touching best{-exact::kInfinity, {}};
-    for (const HalfSpace& h : planes) {
-      const double value = h.approx_value(x - p) + inward;
-      if (value > best.value) best = {value, h.unit};
-    }
-    return best;
-  };
+  return [planes = std::move(planes), p, inward](const Vector& x) { return highest_of(planes, x - p, inward); };
 }
 
 TouchingConstraint touching_boundary(const space::BodyPart& part, const Vector& p, double radius) {

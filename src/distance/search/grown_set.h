@@ -40,6 +40,16 @@ TouchingConstraint touching_distance(const space::BodyPart& part, const space::V
 /// The same, and inside the core the depth in that and the radius: the signed distance to the boundary.
 TouchingConstraint touching_boundary(const space::BodyPart& part, const space::Vector& p, double radius);
 
+/// The highest of the planes at x: half-spaces, or in numbers.
+template <class Planes>
+Touching highest_of(const Planes& planes, const space::Vector& x, double inward = 0) {
+  Touching best{-exact::kInfinity, {}};
+  for (const auto& h : planes) {
+    const double value = h.approx_value(x) + inward;
+    if (value > best.value) best = {value, h.unit};
+  }
+  return best;
+}
 /// The highest of the planes, moved by p and inward by `inward`.
 TouchingConstraint highest_plane(std::vector<space::HalfSpace> planes, const space::Vector& p, double inward = 0);
 

@@ -26,12 +26,11 @@ namespace {
 constexpr std::size_t kAtOnce = 16;
 
 struct Box {
-  Vector center, half;
+  space::Extent of;
   double bound = 0;
   bool operator<(const Box& other) const { return bound > other.bound; }  // the least is on top
   void draw(plane::ObservedCells& seen) const {
-    const Vector low = center - half, high = space::plus(center, half);
-    seen.add_box({low.x, low.y, low.z}, {high.x, high.y, high.z});
+    seen.add_box({of.low.x, of.low.y, of.low.z}, {of.high.x, of.high.y, of.high.z});
   }
 };
 
@@ -46,7 +45,7 @@ class BoxSearch {
     work_ = &question.work();
     const Vector half = space::scaled(0.5, high - low);
     tolerance_ = margin::kLeastInBox * (space::length(half) + 1);
-    take({{space::plus(low, half), half, 0}});
+    take({{{low, high}, 0}});
     std::vector<Box> parts;
     queue_.run(
         most_, kAtOnce,
@@ -64,11 +63,7 @@ class BoxSearch {
 
  private:
   static void divide(const Box& box, std::vector<Box>& parts) {
-    const Vector h = space::scaled(0.5, box.half);
-    for (int k = 0; k < 8; ++k) {
-      const Vector by{k & 1 ? h.x : -h.x, k & 2 ? h.y : -h.y, k & 4 ? h.z : -h.z};
-      parts.push_back({space::plus(box.center, by), h, box.bound});
-    }
+    for (int k = 0; k < 8; ++k) parts.push_back({box.of.eighth(k), box.bound});
   }
 
   void take(const std::vector<Box>& boxes) {
@@ -89,7 +84,7 @@ class BoxSearch {
     std::vector<plane::SearchWork> works(boxes.size(), {share});
     plane::parallel_for(boxes.size(), [&](std::size_t k) {
       const plane::ScopedSearchWork here(&works[k]);
-      values[k] = value_(space::real(boxes[k].center));
+      values[k] = value_(space::real(boxes[k].of.middle()));
     });
     for (std::size_t k = 0; k < boxes.size() && !refused_; ++k) {
       const long cells = share - works[k].left;
@@ -111,11 +106,11 @@ class BoxSearch {
       const bool taken = found->error < exact::kInfinity;  // else it may be nowhere, or greater
       const double value = taken ? found->value.to_double() : exact::kInfinity;
       const double low = taken ? value - found->slack() : found->value.to_double();
-      box.bound = low - space::length(box.half);
+      box.bound = low - space::length(box.of.high - box.of.low) / 2;
       if (value < least_ || count_ == 1) {
         least_ = value;
         best_ = *std::move(found);
-        best_.at = space::real(box.center);
+        best_.at = space::real(box.of.middle());
       }
     }
     queue_.push(box);

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "exact/margins/space_distance.h"
+#include "space/body/name_place.h"
 
 namespace findspace::distance {
 
-using exact::Real;
 using space::HalfSpace;
 using space::RealVector;
 using space::Vector;
@@ -108,23 +108,11 @@ std::vector<bool> PlaneProjections::through(const RealVector& place) const {
 }
 
 RealVector PlaneProjections::exact(const Projection& projection) const {
-  const auto plane = [&](std::size_t k) -> const HalfSpace& {
-    return planes_[static_cast<std::size_t>(projection.planes[k])];
-  };
-  const RealVector& m = plane(0).normal;
-  if (projection.planes[1] < 0) return space::along(p_, -(plane(0).value(p_) / space::dot(m, m)), m);
-  const RealVector& n = plane(1).normal;
-  const Real s = plane(0).value(p_), t = plane(1).value(p_);
-  if (projection.planes[2] < 0) {
-    const Real mm = space::dot(m, m), mn = space::dot(m, n), nn = space::dot(n, n), all = mm * nn - mn * mn;
-    return space::plus(
-        p_, space::plus(space::scaled((mn * t - nn * s) / all, m), space::scaled((mn * s - mm * t) / all, n)));
+  std::vector<HalfSpace> on;
+  for (const int k : projection.planes) {
+    if (k >= 0) on.push_back(planes_[static_cast<std::size_t>(k)]);
   }
-  const RealVector& o = plane(2).normal;
-  const Real u = plane(2).value(p_);
-  const RealVector no = space::cross(n, o), om = space::cross(o, m), mn = space::cross(m, n);
-  const RealVector sum = space::plus(space::scaled(s, no), space::plus(space::scaled(t, om), space::scaled(u, mn)));
-  return space::along(p_, -(Real(1) / space::dot(m, no)), sum);
+  return space::name_places(on, {}, p_)[0];
 }
 
 }  // namespace findspace::distance

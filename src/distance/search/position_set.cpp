@@ -18,16 +18,16 @@ using space::HalfSpace;
 using space::RealVector;
 using space::Vector;
 
-namespace {
-
 /// The nearest complete number, or a simple part, where it is as near as the place is known.
-Real even(double c, double blur) {
+Real simple(double c, double blur) {
   for (const int parts : {1, 2, 3, 4, 5, 6, 8}) {
     const Real rounded = Real(exact::round(Real::from_double(c) * Real(parts))) / Real(parts);
     if (std::fabs(rounded.to_double() - c) <= blur) return rounded;  // no sign: the place is tested
   }
   return Real::from_double(c);
 }
+
+namespace {
 
 /// Polyhedra that hold the sets, with faces along theirs; of balls there is none.
 std::shared_ptr<const space::OpenUnion> sharp_cover(const std::vector<GrownSet>& sets) {
@@ -46,12 +46,25 @@ std::shared_ptr<const space::OpenUnion> sharp_cover(const std::vector<GrownSet>&
 
 }  // namespace
 
-Answer searched_answer(const BoundaryPlace& found, double size) {
+Answer unproven_answer(double value, double error) {
   Answer out;
-  out.value = Real::from_double(found.value);
+  out.value = Real::from_double(value);
   out.set_unproven();
-  out.error = margin::kFoundError * size + std::fabs(found.value - found.bound);
+  out.error = error;
   return out;
+}
+
+Answer unproven_answer(Real value, Enclosure ends) {
+  Answer out;
+  out.value = std::move(value);
+  out.set_unproven();
+  out.error = ends.width();
+  out.enclosed = std::move(ends);
+  return out;
+}
+
+Answer searched_answer(const BoundaryPlace& found, double size) {
+  return unproven_answer(found.value, margin::kFoundError * size + std::fabs(found.value - found.bound));
 }
 
 Answer searched_place(const BoundaryPlace& found, const RealVector& p, double slack) {
@@ -157,9 +170,10 @@ PositionSet PositionSet::of_constraints(Constraints constraints, const Box& box,
   return out;
 }
 
-PositionSet PositionSet::lazily(MakeLazy lazy, const Box& box, double size) {
+PositionSet PositionSet::lazily(MakeLazy lazy, const Box& box, double size, double slack) {
   PositionSet out = of_constraints({}, box, size, {});
   out.lazy_ = std::move(lazy);
+  out.slack_ = slack;
   return out;
 }
 
@@ -212,8 +226,8 @@ std::optional<RealVector> PositionSet::even_place(const BoundaryPlace& found) co
   if (!found.unresolved || !holds_) return std::nullopt;
   for (const double share : {margin::kEvenPlace, std::sqrt(margin::kEvenPlace)}) {
     const double blur = share * size_;
-    const RealVector p{even(found.unresolved->x, blur), even(found.unresolved->y, blur),
-                       even(found.unresolved->z, blur)};
+    const RealVector p{simple(found.unresolved->x, blur), simple(found.unresolved->y, blur),
+                       simple(found.unresolved->z, blur)};
     if (holds_(p)) return p;
   }
   return std::nullopt;
@@ -259,12 +273,11 @@ Answer PositionSet::beyond_box(const RealVector& p) const {
 /// `beyond`: a place that is known beyond what was searched.
 TriedAnswer PositionSet::settled(const BoundaryPlace& found, const RealVector& p, const std::optional<Answer>& known,
                                  const std::optional<Answer>& beyond, bool farthest) const {
-  const double slack = margin::kFoundError * (size_ + std::fabs(found.bound)),
-               off = std::fabs(found.value - found.bound);
+  const double slack = slack_ * (size_ + std::fabs(found.bound)), off = std::fabs(found.value - found.bound);
   const RealVector place = space::real(found.place);
   const bool belongs = found.found && holds(place);
   if (off <= margin::kMostFoundError * size_ && (belongs || found.known)) {
-    Answer out = searched_answer(found, size_ + std::fabs(found.bound));
+    Answer out = unproven_answer(found.value, slack + off);
     const bool same =
         known && off <= margin::kSearchesAgree * slack && abs(known->value - out.value).to_double() <= out.error;
     if (same) {  // no sign: the same value
@@ -305,7 +318,7 @@ double PositionSet::beyond(const Vector& p) const {
   return most;
 }
 
-TriedAnswer PositionSet::nearest(const RealVector& p, bool open, const Known& known) const {
+TriedAnswer PositionSet::nearest(const RealVector& p, bool open, const Known& known, double floor) const {
   // The boundary of a set that holds p is not nearer to what all sets leave; where nothing else holds it, it is the
   // place.
   const Vector near = space::rounded(p);
@@ -321,7 +334,7 @@ TriedAnswer PositionSet::nearest(const RealVector& p, bool open, const Known& kn
                     : sharp_ ? sharp_place([&] { return sharp_->nearest_in_complement(p).settled(); }, p)
                              : Known();
   std::optional<Answer> decided;
-  Query query{-deepest};
+  Query query{std::max(-deepest, floor)};
   if (ask) {
     query.known = [&]() -> std::optional<double> {
       decided = ask();
@@ -346,27 +359,25 @@ Answer PositionSet::least(const TouchingConstraint& of) const {
       for (const double z : {around.low.z, around.high.z}) most = std::min(most, of({x, y, z}).value);
     }
   }
-  Answer out;
-  out.value = Real::from_double(most);
-  out.set_unproven();
-  out.enclosed = Enclosure{Real::from_double(found.bound - noise), Real::from_double(most + noise)};
-  out.error = out.enclosed->width();
-  return out;
+  return unproven_answer(Real::from_double(most),
+                         {Real::from_double(found.bound - noise), Real::from_double(most + noise)});
 }
 
-TriedAnswer PositionSet::farthest(const RealVector& p) const {
+TriedAnswer PositionSet::farthest(const RealVector& p, const Known& known) const {
+  const Known asked = known    ? known
+                      : sharp_ ? sharp_place([&] { return space::farthest_in_complement(*sharp_, low_, high_, p); }, p)
+                               : Known();
   std::optional<Answer> decided;
   Incumbent ask;
-  if (sharp_) {
-    ask = [&, known = sharp_place([&] { return space::farthest_in_complement(*sharp_, low_, high_, p); },
-                                  p)]() -> std::optional<double> {
-      decided = known();
+  if (asked) {
+    ask = [&]() -> std::optional<double> {
+      decided = asked();
       return decided ? std::optional(-decided->value.to_double()) : std::nullopt;
     };
   }
   const BoundaryPlace found = farthest_from(space::rounded(p), ask);
   // Where many places are nearly as far the search ends before: the value lies between what it found and the bound.
-  const bool early = found.found && !found.complete && !found.unresolved && holds(space::real(found.place));
+  const bool early = !lazy_ && found.found && !found.complete && !found.unresolved && holds(space::real(found.place));
   TriedAnswer v = early ? TriedAnswer(searched_answer(found, size_)) : settled(found, p, decided, std::nullopt, true);
   if (early) (*v)->nearest = space::real(found.place);
   if (v && *v) (*v)->farthest = std::exchange((*v)->nearest, std::nullopt);

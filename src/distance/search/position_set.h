@@ -39,6 +39,11 @@
 
 namespace findspace::distance {
 
+/// The nearest complete number, or a simple part, where that is within the blur; else the coordinate.
+exact::Real simple(double coordinate, double blur);
+/// What is off by no more than `error`, or lies between.
+Answer unproven_answer(double value, double error);
+Answer unproven_answer(exact::Real value, Enclosure ends);
 /// What a search found for a value of that size; nothing is off by more than `error`.
 Answer searched_answer(const BoundaryPlace& found, double size);
 
@@ -66,7 +71,8 @@ class PositionSet {
                             const space::RealVector& high);
   /// `size`: of the coordinates and of what the functions are made of.
   static PositionSet of_constraints(Constraints constraints, const Box& box, double size, Holds holds);
-  static PositionSet lazily(MakeLazy lazy, const Box& box, double size);
+  /// `slack`: of the sizes, what its places may be off.
+  static PositionSet lazily(MakeLazy lazy, const Box& box, double size, double slack = margin::kFoundError);
   /// What it has in common with a convex set.
   PositionSet also_in(TouchingConstraint set) const;
   /// The same set, searched within another box.
@@ -74,9 +80,9 @@ class PositionSet {
 
   bool holds(const space::RealVector& p) const { return !holds_ || holds_(p); }
   /// How far the nearest place is from p, which does not belong; nothing where there is none. Beyond the box all
-  /// belongs if `open`.
-  TriedAnswer nearest(const space::RealVector& p, bool open, const Known& known = {}) const;
-  TriedAnswer farthest(const space::RealVector& p) const;
+  /// belongs if `open`. None is nearer than `floor`.
+  TriedAnswer nearest(const space::RealVector& p, bool open, const Known& known = {}, double floor = 0) const;
+  TriedAnswer farthest(const space::RealVector& p, const Known& known = {}) const;
   /// The least of a convex function at a place of the set, to which all beyond the box belongs.
   Answer least(const TouchingConstraint& of) const;
 
@@ -132,7 +138,7 @@ class PositionSet {
   space::RealVector low_, high_;
   Box box_;
   bool askew_ = false;  // the box is to be put askew (boundary_cells.h)
-  double size_ = 0;
+  double size_ = 0, slack_ = margin::kFoundError;
 };
 
 }  // namespace findspace::distance

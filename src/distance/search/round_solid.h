@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -29,6 +30,13 @@ struct RoundSolid {
   /// How far the corners are beyond the plane that touches the solid where it is nearest to x; none deep inside.
   std::optional<std::array<double, 4>> beyond_plane(const space::Vector& x, const Tetrahedron& corners) const;
 };
+
+/// A vector of length 1 across the unit vector.
+inline space::Vector across(const space::Vector& unit) {
+  const space::Vector way =
+      space::cross(unit, std::fabs(unit.x) < 0.6 ? space::Vector{1, 0, 0} : space::Vector{0, 1, 0});  // no sign: any
+  return space::scaled(1 / space::length(way), way);
+}
 
 /// Tetrahedra that cover it.
 std::vector<Tetrahedron> around(const RoundSolid& solid);

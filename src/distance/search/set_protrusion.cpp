@@ -42,8 +42,8 @@ Projection on_circle(const Vector& middle, const Vector& axis, double square, co
   Vector along = off - space::scaled(space::dot(off, axis), axis);
   double size = space::length(along);
   if (size == 0) {  // no sign: on the axis any place of the circle is as near
-    along = space::cross(axis, std::fabs(axis.x) < 0.6 ? Vector{1, 0, 0} : Vector{0, 1, 0});
-    size = space::length(along);
+    along = distance::across(axis);
+    size = 1;
   }
   const Vector y = space::plus(middle, space::scaled(std::sqrt(square) / size, along));
   return {space::length(x - y), y};
@@ -120,15 +120,14 @@ std::pair<double, double> on_ellipse(double longer, double shorter, double x, do
 
 /// From the point of the plane in the ellipse in which it cuts a drill through it onto that ellipse; nothing where it
 /// comes near the balls at the ends.
-std::optional<Vector> onto_crossing(const space::HalfSpace& plane, const NearSet::Drill& drill, const Vector& x) {
+std::optional<Vector> onto_crossing(const space::HalfSpace& plane, const RoundSolid& drill, const Vector& x) {
   const double from = plane.approx_value(drill.from), to = plane.approx_value(drill.to);
   if (!(from * to < 0) || std::min(std::fabs(from), std::fabs(to)) <= drill.radius) return std::nullopt;
   const Vector way = drill.to - drill.from, middle = space::plus(drill.from, space::scaled(from / (from - to), way));
   const double ahead = std::min(1.0, std::fabs(from - to) / space::length(way));  // the cosine of the angle
   if (ahead < margin::kSharpEdge) return std::nullopt;
   Vector across = space::cross(plane.unit, way);
-  if (space::length(across) <= margin::kSameNormal * space::length(way))
-    across = space::cross(plane.unit, std::fabs(plane.unit.x) < 0.6 ? Vector{1, 0, 0} : Vector{0, 1, 0});
+  if (space::length(across) <= margin::kSameNormal * space::length(way)) across = distance::across(plane.unit);
   across = space::scaled(1 / space::length(across), across);
   const Vector along = space::cross(plane.unit, across);
   const double x_along = space::dot(x - middle, along), x_across = space::dot(x - middle, across);
@@ -138,7 +137,7 @@ std::optional<Vector> onto_crossing(const space::HalfSpace& plane, const NearSet
 }
 
 /// The same where the drill runs along the plane: what they have in common is a segment grown by a disc.
-std::optional<Vector> onto_groove(const space::HalfSpace& plane, const NearSet::Drill& drill, const Vector& x) {
+std::optional<Vector> onto_groove(const space::HalfSpace& plane, const RoundSolid& drill, const Vector& x) {
   const double high = plane.approx_value(drill.from), square = drill.radius * drill.radius - high * high;
   const Vector way = drill.to - drill.from, from = drill.from - space::scaled(high, plane.unit);
   if (!(square > 0)) return std::nullopt;
@@ -156,7 +155,7 @@ std::optional<Projection> out_of_drill(const space::HalfSpace& plane, const Near
   if (cut.boundary(high > 0 ? foot : x).value >= 0) return std::nullopt;
   const std::optional<Projection> out = out_of_cut(cut, x);
   if (out && plane.approx_value(out->at) <= 0) return std::nullopt;
-  const NearSet::Drill& drill = *cut.drill;
+  const RoundSolid& drill = *cut.drill;
   const Vector way = drill.to - drill.from;
   const bool level = std::fabs(space::dot(plane.unit, way)) <= margin::kSameNormal * space::length(way);
   const std::optional<Vector> at = level ? onto_groove(plane, drill, foot) : onto_crossing(plane, drill, foot);
@@ -357,7 +356,7 @@ void NearSet::take_away(const space::BodyPart& part) {
   const double radius = part.radius.to_double();
   cuts.push_back({touching_boundary(part, {}, radius), part.planes()});
   if (!part.core && part.flat.size() == 2)
-    cuts.back().drill = Drill{exact::approx(part.flat[0]), exact::approx(part.flat[1]), radius};
+    cuts.back().drill = RoundSolid{exact::approx(part.flat[0]), exact::approx(part.flat[1]), radius};
 }
 
 exact::Refusal not_protruding() {
@@ -365,13 +364,11 @@ exact::Refusal not_protruding() {
 }
 
 Answer SetProtrusion::answer(double size) const {
-  Answer out;
+  using exact::Real;
   const double noise = margin::kFoundError * size;
-  out.value = exact::Real::from_double(found.value);
-  out.set_unproven();
+  Answer out = unproven_answer(Real::from_double(found.value),
+                               {Real::from_double(found.value - noise), Real::from_double(found.bound + noise)});
   out.error = found.bound - found.value + noise;
-  out.enclosed =
-      Enclosure{exact::Real::from_double(found.value - noise), exact::Real::from_double(found.bound + noise)};
   out.witness = point_pair(space::real(found.place), space::real(nearest));
   return out;
 }

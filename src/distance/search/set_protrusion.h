@@ -26,16 +26,11 @@ struct NearSet {
     space::Vector center;
     double radius;
   };
-  /// A ball along a segment.
-  struct Drill {
-    space::Vector from, to;
-    double radius;
-  };
   /// A convex set: the signed distance to its boundary, and the planes of its core.
   struct Cut {
     TouchingConstraint boundary;
     std::vector<space::HalfSpace> planes;
-    std::optional<Drill> drill{};
+    std::optional<RoundSolid> drill{};  // a ball along a segment
   };
   const PositionSet* places = nullptr;
   /// Some place of the set, as near as is known without a search; nothing where none is.

@@ -6,6 +6,7 @@
 
 #include "distance/search/convex_distance.h"
 #include "distance/search/grown_set.h"
+#include "distance/search/position_set.h"
 #include "distance/search/round_solid.h"
 #include "exact/margins/space_distance.h"
 
@@ -65,27 +66,6 @@ RoundSolid round_solid(const BodyPart& part, const Vector& by) {
   out.to = box.high;
   return out;
 }
-
-namespace {
-
-/// To the core of each part of the body, less its radius.
-std::vector<ConvexDistance> distances_to_parts(const Body& a) {
-  std::vector<ConvexDistance> out;
-  for (const BodyPart& part : a.parts) {
-    const double radius = part.radius.to_double();
-    if (part.point())
-      out.emplace_back([center = space::rounded(real(part.center)), radius](const Vector& x) {
-        return space::length(x - center) - radius;
-      });
-    else if (radius == 0)
-      out.push_back(distance_to(part.planes()));
-    else
-      out.emplace_back([core = distance_to(part.planes()), radius](const Vector& x) { return core(x) - radius; });
-  }
-  return out;
-}
-
-}  // namespace
 
 bool polyhedra_and_balls(const Body& b) {
   return std::none_of(b.parts.begin(), b.parts.end(),
@@ -180,8 +160,10 @@ Answer exact_distance(std::span<const GrownSet> targets, const RealVector& at) {
   return *nearest.found();
 }
 
-Answer protrusion(const Body& b, std::span<const ConvexDistance> distances, std::span<const GrownSet> targets,
-                  const RealVector& p) {
+/// From the union of the sets.
+Answer protrusion(const Body& b, std::span<const GrownSet> targets, const RealVector& p) {
+  std::vector<ConvexDistance> distances;
+  for (const GrownSet& t : targets) distances.push_back(grown_distance(t));
   return protrusion_answer(solid_max_min(solids_of(b, p), distances, 0), sharp_corners(b), p,
                            [&](const RealVector& at) { return exact_distance(targets, at); });
 }
@@ -217,27 +199,19 @@ Answer protrusion_answer(const SolidMaxMin& found, std::span<const space::Point>
                          const std::function<Answer(const RealVector&)>& exact) {
   const double size = space::size_of(found.place);
   if (const auto at = found.complete ? corner_at(corners, p, found.place, size) : std::nullopt) return exact(*at);
-  Answer out;
-  out.value = Real::from_double(found.value);
-  out.set_unproven();
-  out.error = found.bound - found.value + margin::kFoundError * size;
-  return out;
+  return unproven_answer(found.value, found.bound - found.value + margin::kFoundError * size);
 }
 
 Answer protrusion_of_union(const Body& b, const Body& a, const RealVector& p) {
   std::vector<GrownSet> targets;
   for (const BodyPart& part : a.parts) targets.push_back(grown_set(part));
-  return protrusion(b, distances_to_parts(a), targets, p);
+  return protrusion(b, targets, p);
 }
 
 Answer protrusion_of_cells(const Body& b, std::span<const space::OutsideCell> a, const RealVector& p) {
   std::vector<GrownSet> targets;
-  std::vector<ConvexDistance> distances;
-  for (const space::OutsideCell& cell : a) {
-    targets.push_back({cell.planes, {}, Real()});
-    distances.push_back(distance_to(cell.planes));
-  }
-  return protrusion(b, distances, targets, p);
+  for (const space::OutsideCell& cell : a) targets.push_back({cell.planes, {}, Real()});
+  return protrusion(b, targets, p);
 }
 
 }  // namespace findspace::distance

@@ -72,37 +72,14 @@ class UnionProtrusion {
 /// To the nearest place that protrudes farthest; a place before is as good.
 constexpr int kMostFarSteps = 12;
 
-/// How far a point is beyond the tetrahedron, about: the most beyond a face.
-double beyond_faces(const Tetrahedron& t, const Vector& x) {
-  double out = -exact::kInfinity;
-  for (std::size_t v = 0; v < 4; ++v) {
-    const Vector &a = t[(v + 1) % 4], e = t[(v + 2) % 4] - a, g = t[(v + 3) % 4] - a;
-    const Vector n{e.y * g.z - e.z * g.y, e.z * g.x - e.x * g.z, e.x * g.y - e.y * g.x};
-    const double own = space::dot(n, t[v] - a), there = space::dot(n, x - a), size = space::length(n);
-    out = std::max(out, (own > 0 ? -there : there) / size);
-  }
-  return out;
-}
-
 /// The signed distance to a core grown by a radius, with what touches it from below.
 TouchingConstraint signed_touching(const space::BodyPart& part) {
   const double radius = part.radius.to_double();
-  if (part.vertices().size() <= 2) {
-    return [core = round_solid(part, {})](const Vector& x) {
-      const Vector off = x - core.projection(x);
-      const double d = space::length(off);
-      return Touching{d - core.radius, d > 0 ? scaled(1 / d, off) : Vector{}};
-    };
-  }
-  return [planes = part.planes(), outside = touching_distance(part, {}, radius), radius](const Vector& x) {
-    Touching most{-exact::kInfinity, {}};
-    for (const space::HalfSpace& h : planes) {
-      const double value = h.approx_value(x) - radius;
-      if (value > most.value) most = {value, h.unit};
-    }
-    if (most.value < -radius) return most;
-    const Touching far = outside(x);
-    return far.value > most.value ? far : most;
+  if (part.vertices().size() > 2) return touching_boundary(part, {}, radius);
+  return [core = round_solid(part, {})](const Vector& x) {
+    const Vector off = x - core.projection(x);
+    const double d = space::length(off);
+    return Touching{d - core.radius, d > 0 ? scaled(1 / d, off) : Vector{}};
   };
 }
 
@@ -166,10 +143,7 @@ Tetrahedron UnionProtrusion::around(const Witness& witness, double reach) const 
   const double far = space::length(out);
   // Deep inside any way will do.
   out = far > solid.radius / 2 && far > 0 ? scaled(1 / far, out) : Vector{0, 0, 1};
-  const Vector aside = std::fabs(out.x) < 0.6 ? Vector{1, 0, 0} : Vector{0, 1, 0};  // no sign: any other way
-  Vector u{out.y * aside.z - out.z * aside.y, out.z * aside.x - out.x * aside.z, out.x * aside.y - out.y * aside.x};
-  u = scaled(1 / space::length(u), u);
-  const Vector w{out.y * u.z - out.z * u.y, out.z * u.x - out.x * u.z, out.x * u.y - out.y * u.x};
+  const Vector u = distance::across(out), w = space::cross(out, u);
   const auto at = [&](double a, double b, double c) {
     return solid.pulled_in(plus(witness.point, scaled(reach, plus(scaled(a, u), plus(scaled(b, w), scaled(c, out))))));
   };
@@ -349,7 +323,7 @@ PositionSet fits_in_union(const space::Body& b, const space::Body& a, const Posi
   auto protrusion = std::make_shared<const UnionProtrusion>(b, a);
   const double size = protrusion->size();
   return PositionSet::lazily([protrusion] { return std::make_unique<FitConstraints>(protrusion); },
-                             grown(box, margin::kAroundBox * size), size);
+                             grown(box, margin::kAroundBox * size), size, margin::kUnionFitError);
 }
 
 }  // namespace findspace::distance

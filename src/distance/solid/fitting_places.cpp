@@ -7,6 +7,7 @@
 #include <numeric>
 #include <optional>
 
+#include "distance/search/boundary_cells.h"
 #include "exact/margins/rounding.h"
 #include "space/body/body_boxes.h"
 #include "space/polytope/convex_region.h"
@@ -120,14 +121,8 @@ std::optional<std::vector<Extent>> fitting_places(const Body& b, const Body& a) 
     const space::ExtentTree tree(all[k]);
     std::vector<Extent> next;
     for (const Extent& box : left) {
-      tree.each(
-          [&](const Extent& e) { return e.meets(box); },
-          [&](std::size_t n) {
-            const Extent& e = all[k][n];
-            next.push_back(
-                {{std::max(e.low.x, box.low.x), std::max(e.low.y, box.low.y), std::max(e.low.z, box.low.z)},
-                 {std::min(e.high.x, box.high.x), std::min(e.high.y, box.high.y), std::min(e.high.z, box.high.z)}});
-          });
+      tree.each([&](const Extent& e) { return e.meets(box); },
+                [&](std::size_t n) { next.push_back(in_both(all[k][n], box)); });
     }
     left.swap(next);
   }
@@ -164,7 +159,7 @@ CornersOut::CornersOut(const Body& b, const Body& a)
   for (const BodyPart& part : a.parts) {
     const Extent box = space::rounded(bounds(part));
     boxes.push_back(widened(box, size_of(box)));
-    std::vector<Plane>& planes = planes_.emplace_back();
+    std::vector<NearPlane>& planes = planes_.emplace_back();
     for (const space::HalfSpace& h : part.planes()) planes.push_back({h.unit, h.shift});
   }
   parts_ = space::ExtentTree(std::move(boxes));
@@ -184,11 +179,11 @@ bool CornersOut::out(const Extent& places) const {
   bool met = false;
   parts_.each([&](const Extent& e) { return !met && e.meets(around); },
               [&](std::size_t k) {
-                met = std::none_of(planes_[k].begin(), planes_[k].end(), [&](const Plane& h) {
+                met = std::none_of(planes_[k].begin(), planes_[k].end(), [&](const NearPlane& h) {
                   const double error = margin::kRoundings32 * (size + 2 * std::fabs(h.shift));
                   const double spread =
                       std::fabs(h.unit.x) * half.x + std::fabs(h.unit.y) * half.y + std::fabs(h.unit.z) * half.z;
-                  return space::dot(h.unit, middle) + h.shift - spread > error;
+                  return h.approx_value(middle) - spread > error;
                 });
               });
   return !met;

@@ -13,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+#include "distance/search/convex_distance.h"
 #include "space/body/body.h"
 #include "space/polytope/extent.h"
 #include "space/polytope/extent_tree.h"
@@ -33,16 +34,12 @@ class CornersOut {
   bool at(const space::Extent& positions) const;
 
  private:
-  struct Plane {
-    space::Vector unit;
-    double shift;
-  };
   bool out(const space::Extent& places) const;
 
   space::Extent around_;
   std::vector<space::Vector> corners_;  // of B, those that are farthest in some direction
   space::ExtentTree parts_;             // of A
-  std::vector<std::vector<Plane>> planes_;
+  std::vector<std::vector<NearPlane>> planes_;
 };
 
 }  // namespace findspace::distance

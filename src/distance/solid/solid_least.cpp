@@ -7,6 +7,7 @@
 
 #include "distance/search/convex_distance.h"
 #include "distance/search/least_in_box.h"
+#include "distance/search/position_set.h"
 #include "distance/search/round_solid.h"
 #include "distance/solid/far_corners.h"
 #include "exact/margins/space_distance.h"
@@ -52,13 +53,7 @@ std::vector<RealVector> likely_places(const Obstacles& all, const Vector& place,
                                         space::real(space::plus(place, by))))
     out.push_back(exact->at);
   RealVector even = space::real(place);
-  for (Real& c : even) {
-    for (const int parts : {8, 6, 5, 4, 3, 2, 1}) {
-      const Real rounded = Real(exact::round(c * Real(parts))) / Real(parts);
-      if (std::fabs((rounded - c).to_double()) <= margin::kSimpleCoordinate * (radius + 1))
-        c = rounded;  // no sign: its value decides
-    }
-  }
+  for (Real& c : even) c = simple(c.to_double(), margin::kSimpleCoordinate * (radius + 1));
   out.push_back(even);
   out.push_back(space::real(place));
   return out;

@@ -237,26 +237,6 @@ std::optional<Answer> in_one_part(const UnionContainers& containers, const RealV
   return best;
 }
 
-TriedAnswer settled(const BoundaryPlace& found, const RealVector& p, const std::optional<Answer>& known, double size,
-                    bool farthest) {
-  const double slack = margin::kUnionFitError * size, off = std::fabs(found.value - found.bound);
-  if (found.known && off <= slack) return known;
-  if (found.found && off <= slack) {
-    Answer out;
-    out.value = Real::from_double(found.value);
-    out.nearest = RealVector{Real::from_double(found.place.x), Real::from_double(found.place.y),
-                             Real::from_double(found.place.z)};
-    out.set_unproven();
-    out.error = slack;
-    return std::optional(std::move(out));
-  }
-  if (!found.found && !found.known && !found.unresolved && found.complete) return std::nullopt;
-  std::vector<Answer> places;
-  if (known) places.push_back(*known);
-  if (found.found) places.push_back(searched_place(found, p, slack));
-  return ended_before(found, slack, places, farthest);
-}
-
 }  // namespace
 
 std::shared_ptr<const UnionContainers> SolidSide::union_containers(const space::Bounds3& box) const {
@@ -280,19 +260,15 @@ TriedAnswer SolidSide::into_union(const Fit& fit, const RealVector& p, const Ans
   }
   const UnionContainers& containers = *fit.in_union;
   const auto known = in_one_part(containers, p, false);
-  PositionSet::Query query{outside.value.to_double() - outside.error};
-  if (known) query.known = [&] { return std::optional(known->value.to_double()); };
-  return settled(containers.fits.nearest_to(distance_to_point(space::rounded(p)), query), p, known,
-                 containers.fits.size(), false);
+  return containers.fits.nearest(
+      p, false, [&] { return known; }, outside.value.to_double() - outside.error);
 }
 
 TriedAnswer SolidSide::farthest_in_union(const Fit& fit, const RealVector& p) {
   const UnionContainers& containers = *fit.in_union;
   const auto known = in_one_part(containers, p, true);
-  Incumbent best;
-  if (known) best = [&] { return std::optional(-known->value.to_double()); };
-  auto out = settled(containers.fits.farthest_from(space::rounded(p), best), p, known, containers.fits.size(), true);
-  if (out && *out) (*out)->nearest.reset();
+  TriedAnswer out = containers.fits.farthest(p, [&] { return known; });
+  if (out && *out) (*out)->farthest.reset();
   return out;
 }
 

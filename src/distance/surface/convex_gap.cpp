@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "exact/margins/space_distance.h"
+#include "space/convolution/ray_solids.h"
 
 namespace findspace::distance {
 
@@ -17,11 +18,9 @@ using Sheet = space::SurfaceSet::Sheet;
 namespace {
 
 GridBox box_of(const BodyPart& part) {
-  GridBox out{part.vertices()[0], part.vertices()[0]};
-  for (const Point& v : part.vertices()) {
-    out.low = {std::min(out.low.x, v.x), std::min(out.low.y, v.y), std::min(out.low.z, v.z)};
-    out.high = {std::max(out.high.x, v.x), std::max(out.high.y, v.y), std::max(out.high.z, v.z)};
-  }
+  GridBox out;
+  bool any = false;
+  for (const Point& v : part.vertices()) space::extend_box(v, out.low, out.high, any);
   return out;
 }
 

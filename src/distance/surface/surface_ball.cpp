@@ -275,11 +275,8 @@ class BallSearch {
     const double error = margin::kFoundError * size_ + off;
     if (const auto named = named_for_ball(ball_, x_, found.place, farthest, error * 64))
       return signed_value(x_, *named, 1);
-    Answer out;
-    out.value = Real::from_double(found.value);
+    Answer out = unproven_answer(found.value, error);
     out.nearest = space::real(found.place);
-    out.set_unproven();
-    out.error = error;
     return out;
   }
 
