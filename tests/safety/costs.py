@@ -75,6 +75,52 @@ class Costs(SafetyTest):
             self.lines("a.obj", itertools.chain(["v 0 0 %d" % height, "v 0 0 0"], rim, faces))
             self.expect(0, "", "describe", self.of_file("a.obj"))
 
+    def shells(self, name, count):
+        """Octahedra one inside the other."""
+        rim = ((1, 0), (0, 1), (-1, 0), (0, -1))
+        lines = []
+        for k in range(count):
+            r = 10 + k / 100
+            lines += ["v 0 0 %.2f" % r, "v 0 0 %.2f" % -r] + ["v %.2f %.2f 0" % (r * x, r * y) for x, y in rim]
+            for a in range(4):
+                p, q = 6 * k + 3 + a, 6 * k + 3 + (a + 1) % 4
+                lines += ["f %d %d %d" % (6 * k + 1, p, q), "f %d %d %d" % (6 * k + 2, q, p)]
+        self.lines(name, lines)
+
+    def test_shells_in_each_other(self):
+        self.shells("a.obj", 400)
+        scene = self.of_file("a.obj")
+        self.expect(3, "lies in another of the same sense", "describe", scene, "--work-limit", "1M")
+        self.expect(4, "so many shells in each other costs more", "describe", scene, "--work-limit", "50K")
+
+    def test_needles_that_pass_each_other(self):
+        """No plane parts many of them from many others."""
+        lines = []
+        for k in range(150):
+            turn, tilt = 2.4 * k, 0.3 + 2.5 * (k * 0.618 % 1)
+            along = (math.cos(turn) * math.sin(tilt), math.sin(turn) * math.sin(tilt), math.cos(tilt))
+            off = [math.sin(5.1 * k + 2 * axis) for axis in range(3)]
+            for end, wide in ((-9, (0, 0, 0)), (9, (1, 0, 0)), (9, (0, 1, 0)), (9, (0, 0, 1))):
+                lines.append("v %.6f %.6f %.6f" % tuple(o + end * a + w / 1e5 for o, a, w in zip(off, along, wide)))
+            lines += ["f " + " ".join(str(4 * k + c) for c in f) for f in ((1, 3, 2), (1, 2, 4), (1, 4, 3), (2, 3, 4))]
+        self.lines("a.obj", lines)
+        few = ("describe", self.of_file("a.obj"), "--resolution", "2", "--work-limit")
+        self.expect(0, "", *few, "4M")
+        self.expect(4, "so many faces near each other costs more", *few, "20K")
+
+    def test_cone_that_leans(self):
+        """Planes part its faces: few pairs of them are looked at."""
+        n, lean = 4000, 0.3
+        c, s = math.cos(lean), math.sin(lean)
+        points = [(0, 0, 50), (0, 0, 0)] + [(10 * math.cos(2 * math.pi * k / n), 10 * math.sin(2 * math.pi * k / n), 0)
+                                            for k in range(n)]
+        turned = ((c * x + s * z, y, c * z - s * x) for x, y, z in points)
+        leaning = ("v %.6f %.6f %.6f" % (x, c * y + s * z, c * z - s * y) for x, y, z in turned)
+        faces = ("f %d %d %d" % corners for k in range(n)
+                 for corners in ((1, 3 + k, 3 + (k + 1) % n), (2, 3 + (k + 1) % n, 3 + k)))
+        self.lines("a.obj", itertools.chain(leaning, faces))
+        self.expect(0, "", "describe", self.of_file("a.obj"), "--resolution", "4", "--work-limit", "100K")
+
     def test_many_names(self):
         self.scene({"A": {"polygon": SQUARE}, "B": {"polygon": SQUARE}}, moving="B",
                    where="gap(B, " + "+".join(["A"] * 50000) + ") >= 0")

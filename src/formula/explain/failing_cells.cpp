@@ -3,15 +3,9 @@
 
 #include "formula/explain/failing_cells.h"
 
-#include "plane/base/search_work.h"
 #include "plane/base/stop_check.h"
 
 namespace findspace::formula {
-
-plane::WorkBudget allowed_work() {
-  const plane::SearchLimit* const limit = plane::ScopedSearchLimit::now();
-  return plane::WorkBudget(limit != nullptr ? limit->units : plane::kUsualWorkBudget);
-}
 
 FailingParts::FailingParts(const Demands& demands) : demand_(demands.size()) {
   add(demands.formula().root(), true, 0);

@@ -12,15 +12,13 @@
 #include <vector>
 
 #include "formula/explain/demands.h"
-#include "plane/base/work_budget.h"
+#include "plane/base/allowed_work.h"
 
 namespace findspace::formula {
 
 using MetDemands = std::vector<bool>;  // for each demand, whether a cell meets it
 
-/// The units that the asker allows.
-plane::WorkBudget allowed_work();
-/// What costs more than them.
+/// What costs more units than the asker allows.
 inline constexpr std::string_view kManyDemands = "an explanation of so many conditions";
 
 /// The parts of a formula that fail because demands do.
@@ -100,7 +98,7 @@ class FailingCells {
   std::vector<std::size_t> start_{0};   // where those of a cell begin
   std::uint64_t most_ = 0;              // looks that a pass may take
   std::uint64_t looks_ = 0;             // not yet paid
-  plane::WorkBudget work_ = allowed_work();
+  plane::WorkBudget work_ = plane::allowed_work();
 };
 
 }  // namespace findspace::formula

@@ -151,7 +151,7 @@ class PlanarGround : public KnownCells {
   }
 
   Poses poses_;
-  plane::WorkBudget work_ = allowed_work();
+  plane::WorkBudget work_ = plane::allowed_work();
   std::vector<Cells> cells_;  // at each pose
 };
 

@@ -20,6 +20,7 @@
 #include "io/mesh/read_height_grid.h"
 #include "io/mesh/read_mesh_ply.h"
 #include "io/text/file_kind.h"
+#include "plane/base/search_work.h"
 #include "space/mesh/mesh.h"
 
 namespace findspace::io {
@@ -254,6 +255,8 @@ space::Mesh read_mesh(const std::filesystem::path& path, ReadContext& context, c
   const std::string bytes = context.take_file(path);
   const std::string ending = lower_ending(path.extension().string());
   require_kind(bytes, ending, path.string());
+  const plane::SearchLimit most{context.options.work_limit};
+  const plane::ScopedSearchLimit allowed(&most);
   try {
     space::Mesh mesh = parse_mesh(bytes, ending, context, scale);
     for (const std::string& note : space::clean(mesh, context.grid.step_size(), context.drawing.repair)) {

@@ -4,18 +4,23 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <limits>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "plane/base/allowed_work.h"
 #include "plane/base/parallel.h"
 #include "space/convolution/ray_overlap.h"
+#include "space/mesh/parting_plane.h"
 
 namespace findspace::space {
 namespace {
 
 constexpr std::size_t kFacesAtOnce = 4096;  // from here on in several threads
+constexpr int kFacesOfBlock = 64;           // faces that are looked at with those of another block
 constexpr std::size_t kTasks = 256;         // at least, from there on: fewer than such a mesh has leaves
 
 /// How many corners two faces share, and where the last of them is in each.
@@ -236,7 +241,12 @@ struct NodePair {
 /// The pairs of faces whose boxes meet, each once.
 class MeetingPairs {
  public:
-  explicit MeetingPairs(const RaySheet& sheet) : tree_(sheet.tree), fans_(sheet) {}
+  explicit MeetingPairs(const RaySheet& sheet) : tree_(sheet.tree), fans_(sheet), below_(tree_.nodes().size()) {
+    for (std::size_t k = below_.size(); k-- > 0;) {  // those below stand behind
+      const BoxTree::Node& x = tree_.nodes()[k];
+      below_[k] = x.count > 0 ? x.count : faces_below(x.first) + faces_below(x.first + 1);
+    }
+  }
 
   /// The pairs of nodes below these, of which one at least is no leaf.
   void part(const NodePair& pair, std::vector<NodePair>& out) const {
@@ -245,7 +255,7 @@ class MeetingPairs {
     if (p == q) {
       for (const NodePair& below : {NodePair{x.first, x.first}, {x.first + 1, x.first + 1}, {x.first, x.first + 1}})
         out.push_back(below);
-    } else if (x.count == 0 && (y.count > 0 || extent(x) >= extent(y))) {
+    } else if (x.count == 0 && (y.count > 0 || larger(p, q))) {
       out.insert(out.end(), {{x.first, q}, {x.first + 1, q}});
     } else {
       out.insert(out.end(), {{p, y.first}, {p, y.first + 1}});
@@ -255,6 +265,19 @@ class MeetingPairs {
     return !node(pair.p).box.meets(node(pair.q).box) || fans_.apart(pair.p, pair.q);
   }
   bool leaves(const NodePair& pair) const { return node(pair.p).count > 0 && node(pair.q).count > 0; }
+  int faces_below(int k) const { return below_[static_cast<std::size_t>(k)]; }
+  /// The corners of the faces below a node, each once.
+  void corners_below(int k, const RayBody& body, std::vector<int>& numbers, std::vector<Point>& out) const {
+    numbers.clear();
+    int first = k;
+    while (node(first).count == 0) first = node(first).first;
+    for (int i = node(first).first; i < node(first).first + faces_below(k); ++i)
+      for (const int corner : body.faces[static_cast<std::size_t>(tree_.face(i))]) numbers.push_back(corner);
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    out.clear();
+    for (const int corner : numbers) out.push_back(body.points[static_cast<std::size_t>(corner)]);
+  }
 
   template <class Visit>
   void each(const NodePair& leaves, Visit visit) const {
@@ -267,10 +290,16 @@ class MeetingPairs {
 
  private:
   const BoxTree::Node& node(int k) const { return tree_.nodes()[static_cast<std::size_t>(k)]; }
+  /// By their faces until both are blocks, so that these are of like size; then by extent.
+  bool larger(int p, int q) const {
+    const int of_p = faces_below(p), of_q = faces_below(q);
+    return std::max(of_p, of_q) > kFacesOfBlock ? of_p >= of_q : extent(node(p)) >= extent(node(q));
+  }
   static std::int64_t extent(const BoxTree::Node& n) { return n.box.high.x - n.box.low.x; }
 
   const BoxTree& tree_;
   Fans fans_;
+  std::vector<int> below_;  // faces below each node
 };
 
 using FacePair = std::pair<int, int>;
@@ -281,28 +310,90 @@ struct Found {
   bool inner_walls = false;
 };
 
-/// Of the pairs below.
-Found find(const RayBody& body, const MeetingPairs& pairs, const NodePair& of) {
-  Found found;
-  std::vector<NodePair> stack{of};
-  while (!stack.empty()) {
-    const NodePair top = stack.back();
-    stack.pop_back();
-    if (pairs.apart(top)) continue;
-    if (!pairs.leaves(top)) {
-      pairs.part(top, stack);
-      continue;
-    }
-    pairs.each(top, [&](const FacePair& faces) {
-      const auto [f, g] = faces;
-      const SharedCorners shared = shared_corners(body, f, g);
-      if (shared.count == 1 && Fan::apart({body, f, shared.in_f}, {body, g, shared.in_g})) return;
-      if (faces < found.least_crossing && cross(body, f, g, shared)) found.least_crossing = faces;
-      found.inner_walls = found.inner_walls || faces_back_to_back(body, f, g);
-    });
+/// Counts the pairs of faces that are looked at, of all tasks.
+class PairWork {
+ public:
+  explicit PairWork(std::size_t faces) : free_(kFreeOfFace * faces) {}
+  void charge(std::uint64_t pairs) {
+    const std::uint64_t all = counted_.fetch_add(pairs, std::memory_order_relaxed) + pairs;
+    if (all > free_) plane::WorkBudget(work_).charge(all - free_, "a mesh with so many faces near each other");
   }
-  return found;
-}
+
+ private:
+  static constexpr std::uint64_t kFreeOfFace = 32;  // more than an even mesh needs
+
+  const std::uint64_t free_;
+  const plane::WorkBudget work_ = plane::allowed_work();
+  std::atomic<std::uint64_t> counted_{0};
+};
+
+/// Looks at the pairs of faces below pairs of nodes.
+class PairSearch {
+ public:
+  PairSearch(const RayBody& body, const MeetingPairs& pairs, PairWork& work)
+      : body_(body), pairs_(pairs), work_(work) {}
+
+  Found run(const NodePair& of) {
+    stack_.push_back(of);
+    while (!stack_.empty()) {
+      const NodePair top = stack_.back();
+      stack_.pop_back();
+      if (pairs_.apart(top)) continue;
+      if (pairs_.leaves(top) ||
+          (pairs_.faces_below(top.p) <= kFacesOfBlock && pairs_.faces_below(top.q) <= kFacesOfBlock))
+        look_at_block(top);
+      else
+        pairs_.part(top, stack_);
+    }
+    return found_;
+  }
+
+ private:
+  static constexpr std::size_t kMany = 256;       // pairs of two blocks whose boxes meet: then a plane may part them
+  static constexpr std::size_t kBoxesAPair = 64;  // pairs of boxes that cost as much as one of faces
+
+  void look_at_block(const NodePair& of) {
+    met_.clear();
+    const std::size_t begin = stack_.size();
+    stack_.push_back(of);
+    while (stack_.size() > begin) {
+      const NodePair top = stack_.back();
+      stack_.pop_back();
+      if (pairs_.apart(top)) continue;
+      if (pairs_.leaves(top))
+        pairs_.each(top, [&](const FacePair& faces) { met_.push_back(faces); });
+      else
+        pairs_.part(top, stack_);
+    }
+    work_.charge(met_.size() / kBoxesAPair);
+    if (met_.size() >= kMany && of.p != of.q && parted(of)) return;
+    work_.charge(met_.size());
+    for (const FacePair& faces : met_) look_at(faces);
+  }
+
+  bool parted(const NodePair& of) {
+    pairs_.corners_below(of.p, body_, numbers_, of_p_);
+    pairs_.corners_below(of.q, body_, numbers_, of_q_);
+    return plane_parts(of_p_, of_q_);
+  }
+
+  void look_at(const FacePair& faces) {
+    const auto [f, g] = faces;
+    const SharedCorners shared = shared_corners(body_, f, g);
+    if (shared.count == 1 && Fan::apart({body_, f, shared.in_f}, {body_, g, shared.in_g})) return;
+    if (faces < found_.least_crossing && cross(body_, f, g, shared)) found_.least_crossing = faces;
+    found_.inner_walls = found_.inner_walls || faces_back_to_back(body_, f, g);
+  }
+
+  const RayBody& body_;
+  const MeetingPairs& pairs_;
+  PairWork& work_;
+  Found found_;
+  std::vector<NodePair> stack_;
+  std::vector<FacePair> met_;
+  std::vector<int> numbers_;
+  std::vector<Point> of_p_, of_q_;
+};
 
 }  // namespace
 
@@ -321,8 +412,9 @@ SelfContact self_contact(const RaySheet& sheet) {
     parted.swap(next);
   }
   std::vector<Found> found(parted.size());
+  PairWork work(body.faces.size());
   plane::at_once(parted.size(), body.faces.size(), kFacesAtOnce,
-                 [&](std::size_t k) { found[k] = find(body, pairs, parted[k]); });
+                 [&](std::size_t k) { found[k] = PairSearch(body, pairs, work).run(parted[k]); });
   SelfContact out;
   FacePair first = kNoFaces;
   for (const Found& part : found) {

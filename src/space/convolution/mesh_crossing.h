@@ -5,7 +5,8 @@
 // one and the solid behind the other both cover (space/convolution/ray_overlap.h, 1 to 4). Parts of a surface that
 // touch, from outside or across a slit of no width, do not cross; where faces lie on each other the solid goes on
 // across them. Guarantee: exact, the same for any number of threads. Cost: the pairs of triangles whose boxes meet, in
-// parallel. Keywords: self-intersection, mesh validation.
+// parallel, but for those that a plane parts with many others (parting_plane.h). Where they cost more units than the
+// asker allows, Error(kLimit). Keywords: self-intersection, mesh validation.
 #pragma once
 
 #include <array>

@@ -3,6 +3,7 @@
 #include "space/convolution/ray_boxes.h"
 
 #include <array>
+#include <span>
 #include <utility>
 
 #include "plane/base/parallel.h"
@@ -35,8 +36,8 @@ int nodes_below(int count) { return count <= kLeaf ? 0 : 2 + nodes_below(count /
 
 }  // namespace
 
-/// Halves the faces by the middles of their boxes, across the longest side of the box about all. The nodes below one
-/// stand together, so branches can be built at once.
+/// Halves the faces by the middles of their boxes, mostly across the longest side of the box about all. The nodes below
+/// one stand together, so branches can be built at once.
 class BoxTree::Builder {
  public:
   Builder(BoxTree& tree, const RayBody& body) : tree_(tree), places_(body.faces.size()) {
@@ -90,15 +91,22 @@ class BoxTree::Builder {
     return tree_.nodes_[static_cast<std::size_t>(b.node)].box = box;
   }
 
+  static Point twice_middle(const GridBox& box) { return box.low + box.high; }
+  static int longest(const Point& size) { return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2; }
+
+  /// The longest of the box, unless the faces are long there and lie beside each other along another one.
+  static int axis_to_halve(std::span<const Place> places, const GridBox& box) {
+    GridBox middles{twice_middle(places[0].box), twice_middle(places[0].box)};
+    for (const Place& p : places) middles = united(middles, {twice_middle(p.box), twice_middle(p.box)});
+    const Point spread = middles.high - middles.low;
+    const int of_box = longest(box.high - box.low), of_middles = longest(spread);
+    return 2 * component(spread, of_box) < component(spread, of_middles) ? of_middles : of_box;
+  }
+
   std::array<Branch, 2> halved(const Branch& b, const GridBox& box) {
     const auto begin = places_.begin() + b.first, end = begin + b.count;
-    const Point size = box.high - box.low;
-    const auto key = [&](const Place& p) {
-      const std::int64_t twice = size.x >= size.y && size.x >= size.z ? p.box.low.x + p.box.high.x
-                                 : size.y >= size.z                   ? p.box.low.y + p.box.high.y
-                                                                      : p.box.low.z + p.box.high.z;
-      return std::pair(twice, p.face);
-    };
+    const int axis = axis_to_halve({begin, end}, box);
+    const auto key = [&](const Place& p) { return std::pair(component(twice_middle(p.box), axis), p.face); };
     std::nth_element(begin, begin + b.count / 2, end, [&](const Place& p, const Place& q) { return key(p) < key(q); });
     tree_.nodes_[static_cast<std::size_t>(b.node)].first = b.next;
     const int left = b.count / 2;

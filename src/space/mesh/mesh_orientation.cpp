@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "plane/base/allowed_work.h"
 #include "space/mesh/mesh.h"
 #include "space/mesh/mesh_edges.h"
 #include "space/polytope/extent_tree.h"
@@ -117,12 +118,12 @@ class Orientation {
   void find_nesting() {
     std::vector<Extent> boxes;
     for (const Shell& s : shells_) boxes.push_back({vector_of(s.low), vector_of(s.high)});
-    const ExtentTree tree(std::move(boxes));
+    tree_ = ExtentTree(std::move(boxes));
     for (std::size_t i = 0; i < shells_.size(); ++i) {
       Shell& s = shells_[i];
-      const Extent& box = tree.extent(i);
+      const Extent& box = tree_.extent(i);
       const auto about = [&](const Extent& e) { return e.holds(box.low, 0) && e.holds(box.high, 0); };
-      tree.each(about, [&](std::size_t k) {
+      tree_.each(about, [&](std::size_t k) {
         if (k == i) return;
         const std::optional<bool> inside = lies_in(s, shells_[k]);
         s.placed = s.placed && inside;
@@ -138,9 +139,10 @@ class Orientation {
 
   /// By the first vertex that is not on the other's surface; nothing where all are. Shells that cross are refused
   /// elsewhere.
-  std::optional<bool> lies_in(const Shell& s, const Shell& outer) const {
+  std::optional<bool> lies_in(const Shell& s, const Shell& outer) {
     for (const int f : s.faces) {
       for (const int v : mesh_.faces[f]) {
+        work_.charge(1 + outer.faces.size() / kFacesAUnit, "a mesh with so many shells in each other");
         if (const auto inside = encloses(outer, mesh_.vertices[v])) return inside;
       }
     }
@@ -203,8 +205,13 @@ class Orientation {
   }
 
   void turn_all_within(const Shell& outer) {
-    for (const Shell& s : shells_)
-      if (&s != &outer && holds(outer, s.low) && holds(outer, s.high) && lies_in(s, outer).value_or(false)) turn(s);
+    const Extent box{vector_of(outer.low), vector_of(outer.high)};
+    tree_.each([&](const Extent& e) { return e.meets(box); },
+               [&](std::size_t k) {
+                 const Shell& s = shells_[k];
+                 if (&s != &outer && holds(outer, s.low) && holds(outer, s.high) && lies_in(s, outer).value_or(false))
+                   turn(s);
+               });
   }
   static bool holds(const Shell& s, const Point& p) {
     return s.low.x <= p.x && p.x <= s.high.x && s.low.y <= p.y && p.y <= s.high.y && s.low.z <= p.z && p.z <= s.high.z;
@@ -222,7 +229,10 @@ class Orientation {
 
   Mesh& mesh_;
   MeshEdges edges_;  // as they are before faces are turned, which changes the senses only
+  static constexpr std::size_t kFacesAUnit = 16;
+  plane::WorkBudget work_ = plane::allowed_work();
   std::vector<Shell> shells_;
+  ExtentTree tree_;  // of their boxes
   std::vector<int> shell_of_face_;
   std::vector<char> turned_;
 };

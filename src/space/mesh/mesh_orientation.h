@@ -18,7 +18,8 @@
 namespace findspace::space {
 
 /// Turns faces as above, and says how many. Throws Error(kGeometry) for a shell in another that has the same sense:
-/// neither a cavity nor an island. `step`: size of a grid step in messages.
+/// neither a cavity nor an island; Error(kLimit) where shells in each other cost more units than the asker allows.
+/// `step`: size of a grid step in messages.
 void orient(Mesh& mesh, double step, std::vector<std::string>& notes);
 
 }  // namespace findspace::space
