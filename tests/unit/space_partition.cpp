@@ -38,8 +38,9 @@ struct Task {
 
 void* cut(void* at) {
   Task& task = *static_cast<Task*>(at);
-  task.cells =
-      partition(std::move(task.facets), ConvexRegion(real(Point{-kHalf, 0, 0}), real(Point{kHalf, kDeep, 10})));
+  ConvexRegion bounds(real(Point{-kHalf, 0, 0}), real(Point{kHalf, kDeep, 10}));
+  EXPECT_FALSE(partition(task.facets, bounds, 1000));
+  task.cells = *partition(std::move(task.facets), std::move(bounds), 1'000'000'000);
   return nullptr;
 }
 

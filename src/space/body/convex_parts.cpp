@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+#include "plane/base/search_work.h"
 #include "space/body/cell_parts.h"
 #include "space/body/erosion.h"
 #include "space/body/shape_topology.h"
@@ -28,6 +29,7 @@ using exact::Tried;
 using Kind = plane::Shape::Kind;
 
 constexpr std::size_t kMostFaces = 100000;
+constexpr long kMostLooks = 30'000'000;  // at pieces, of a partition
 
 /// The parts of a surface that does not meet itself have exactly its volume; else it encloses some space twice, or not.
 /// Where vertices were rounded the volume may change by the surface times the longest move, here taken twice.
@@ -419,10 +421,13 @@ Tried<ConvexParts> try_convex_parts(const Mesh& mesh) {
     for (const int v : face) piece.corners.emplace_back(real(mesh.vertices[v]));
     facets.push_back(std::move(piece));
   }
-  Cells cells = partition(std::move(facets), bounding_box(mesh));
-  ConvexParts parts = parts_of_cells(cells.inside);
+  std::optional<Cells> cells = partition(std::move(facets), bounding_box(mesh), plane::allowed(kMostLooks));
+  if (!cells)
+    return plane::search_spent("a mesh of " + std::to_string(mesh.faces.size()) +
+                               " faces that meets so many planes of others is not cut into convex parts");
+  ConvexParts parts = parts_of_cells(cells->inside);
   if (const auto fault = fault_of_volume(parts, six_volumes(mesh))) return *fault;
-  auto around = std::make_shared<const Surroundings>(Surroundings{mesh, std::move(cells.outside)});
+  auto around = std::make_shared<const Surroundings>(Surroundings{mesh, std::move(cells->outside)});
   parts.around.push_back({std::move(around), 0, parts.parts.size(), parts.scale, {}});
   return parts;
 }

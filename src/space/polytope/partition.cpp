@@ -12,6 +12,7 @@ using FacetCorner = FacetPiece::Corner;
 
 constexpr std::size_t kTried = 48;     // planes compared for one cut
 constexpr std::size_t kSampled = 400;  // pieces that a plane is judged by
+constexpr long kLooksOfCut = 8;        // for each piece
 
 struct Sides {
   bool above = false, below = false;
@@ -57,7 +58,7 @@ class Partition {
   /// alone, where both halves have facets: else a round surface would take a level for each of its planes.
   void run(std::vector<FacetPiece> facets, ConvexRegion bounds) {
     std::vector<Half> bare;  // upper halves without facets; they come after all that is below them
-    while (!facets.empty()) {
+    while (!facets.empty() && !spent()) {
       const Plane chosen = choose(facets);
       Cut cut = cut_by(chosen, std::move(facets));
       ConvexRegion over = bounds;
@@ -80,6 +81,9 @@ class Partition {
 
   Cells cells;
 
+  explicit Partition(long most) : left_(most) {}
+  bool spent() const { return left_ < 0; }
+
  private:
   struct Half {
     ConvexRegion region;
@@ -91,7 +95,8 @@ class Partition {
     bool solid_above = false;  // as facets in the plane say
   };
 
-  static Cut cut_by(const Plane& chosen, std::vector<FacetPiece> facets) {
+  Cut cut_by(const Plane& chosen, std::vector<FacetPiece> facets) {
+    left_ -= kLooksOfCut * static_cast<long>(facets.size());
     Cut out{HalfSpace(chosen)};
     for (FacetPiece& piece : facets) {
       const Sides s = sides(out.plane, piece);
@@ -114,7 +119,7 @@ class Partition {
   }
 
   /// The facet plane that cuts the fewest pieces of a sample; at once one that has nothing above it.
-  static Plane choose(const std::vector<FacetPiece>& facets) {
+  Plane choose(const std::vector<FacetPiece>& facets) {
     std::vector<Plane> planes;
     for (const FacetPiece& piece : facets) planes.push_back(piece.plane);
     std::sort(planes.begin(), planes.end());
@@ -125,6 +130,7 @@ class Partition {
     for (std::size_t i = 0; i < planes.size(); i += stride) {
       const HalfSpace plane(planes[i]);
       long split = 0, above = 0, below = 0;
+      left_ -= static_cast<long>(facets.size() / step);
       for (std::size_t k = 0; k < facets.size(); k += step) {
         const Sides s = sides(plane, facets[k]);
         split += s.above && s.below;
@@ -140,13 +146,16 @@ class Partition {
     }
     return *best;
   }
+
+  long left_;  // looks at pieces
 };
 
 }  // namespace
 
-Cells partition(std::vector<FacetPiece> facets, ConvexRegion bounds) {
-  Partition p;
+std::optional<Cells> partition(std::vector<FacetPiece> facets, ConvexRegion bounds, long most) {
+  Partition p(most);
   p.run(std::move(facets), std::move(bounds));
+  if (p.spent()) return std::nullopt;
   return std::move(p.cells);
 }
 

@@ -6,6 +6,7 @@
 // once, and at a sample of them for each of the planes it chooses from.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "space/polytope/convex_region.h"
@@ -28,7 +29,7 @@ struct Cells {
 };
 
 /// The cells of the surface `facets`, which is closed within `bounds`. Cells without interior may be among them where
-/// the surface crosses itself.
-Cells partition(std::vector<FacetPiece> facets, ConvexRegion bounds);
+/// the surface crosses itself. Nothing where that takes more than `most` looks at pieces, each a few signs.
+std::optional<Cells> partition(std::vector<FacetPiece> facets, ConvexRegion bounds, long most);
 
 }  // namespace findspace::space
