@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "space/rays/ray_connect.h"
 
@@ -101,12 +102,39 @@ void extend(Part& part, const std::array<double, 3>& p) {
   part.any = true;
 }
 
-void add_stretches(const RayLattice& lattice, Connector& sets, std::vector<Part>& parts) {
+/// The components, each with the number of its set of stretches.
+class Parts {
+ public:
+  explicit Parts(Sets& sets) : sets_(sets), number_(sets.size(), -1) {}
+
+  Part& of(int stretch) {
+    int& number = number_[static_cast<std::size_t>(sets_.find(stretch))];
+    if (number < 0) {
+      number = static_cast<int>(parts_.size());
+      parts_.emplace_back();
+    }
+    return parts_[static_cast<std::size_t>(number)];
+  }
+  /// By the first stretch of each.
+  std::vector<Part> in_order() && {
+    std::vector<Part> out;
+    for (const int number : number_)
+      if (number >= 0) out.push_back(parts_[static_cast<std::size_t>(number)]);
+    return out;
+  }
+
+ private:
+  Sets& sets_;
+  std::vector<int> number_;  // of each root
+  std::vector<Part> parts_;
+};
+
+void add_stretches(const RayLattice& lattice, Connector& sets, Parts& parts) {
   const auto unit = static_cast<double>(lattice.parts);
   const double step = static_cast<double>(lattice.step) / unit;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     sets.each(static_cast<int>(axis), [&](const Stretch& s, int number, const std::array<int, 3>& p) {
-      Part& part = parts[static_cast<std::size_t>(sets.near().find(number))];
+      Part& part = parts.of(number);
       if (s.first <= s.last) {
         const int crossing = sets.crossing().find(number);
         part.crossing = part.crossing == -1 || part.crossing == crossing ? crossing : -2;
@@ -129,12 +157,11 @@ void add_stretches(const RayLattice& lattice, Connector& sets, std::vector<Part>
   }
 }
 
-void add_surface(const RaySurface& surface, Connector& sets, std::vector<Part>& parts) {
+void add_surface(const RaySurface& surface, Connector& sets, Parts& parts) {
   for (const auto& face : surface.faces) {
     const auto corner = [&](std::size_t k) { return surface.vertices[static_cast<std::size_t>(face[k])]; };
     const auto a = corner(0), b = corner(1), c = corner(2);
-    const int number = sets.near().find(*sets.at(surface.inside[static_cast<std::size_t>(face[0])]));
-    parts[static_cast<std::size_t>(number)].surface +=
+    parts.of(*sets.at(surface.inside[static_cast<std::size_t>(face[0])])).surface +=
         (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0])) /
         6;
   }
@@ -157,11 +184,10 @@ RayAxes ray_axes(const RayLattice& lattice, const std::function<std::unique_ptr<
   sets.cross();
   sets.overlap();
   sets.gather();
-  std::vector<Part> parts(sets.near().size());
+  Parts parts(sets.near());
   add_stretches(lattice, sets, parts);
   add_surface(out.surface, sets, parts);
-  for (Part& part : parts) {
-    if (!part.any) continue;
+  for (Part& part : std::move(parts).in_order()) {
     part.component.volume = part.solid ? part.surface : *std::max_element(part.along.begin(), part.along.end());
     part.component.certified = part.crossing >= 0;
     summary.components.push_back(part.component);
