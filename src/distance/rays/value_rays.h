@@ -6,8 +6,9 @@
 // ball, whose chord ends at the boundary or nearly so. What is left of a line is halved. So distances
 // at a level are decided from where round boundaries are to be measured from. Guarantee: the sign is - or + only where
 // that is certain; 0 where the function is within kCertain of the sizes of 0 (more where a line runs along the
-// boundary: kCoarse), and on what is left of a line when its work ends. Cost: some forty values for each end, more where
-// the line is nearly along the boundary; refused where nothing is told by then. Keywords: sphere tracing, interval bisection, Lipschitz bound.
+// boundary: kCoarse), and on what is left of a line when its work ends. Cost: some forty values for each end, more
+// where the line is nearly along the boundary; refused where nothing is told by then. Keywords: sphere tracing,
+// interval bisection, Lipschitz bound.
 #pragma once
 
 #include <functional>
