@@ -122,7 +122,7 @@ Which question is answered exactly, for which kind of shape, and what does it co
 
 Costs are orders of magnitude, tried on shapes of up to a hundred corners or faces and on meshes of some thousand triangles. [bench](../bench/README.md) has measurements.
 A pair of shapes stands in the column of the more general one, which is the one farther to the right. A search that reaches its limit gives bounds, or is refused with a message; `--work-limit` raises it.
-In space the searches for one least value, or for one line, look at 1,500,000 cells together: half a minute where six round shapes are cut out, more than a minute where twenty are. Then the least value is told between bounds, and what is left of the line is undecided.
+In space the searches for one least value, or for one line, look at 1,500,000 cells together: half a minute where six round shapes are cut out, more than a minute where twenty are. Then the least value is told between bounds, and the line is refused.
 
 ## In the plane
 

@@ -71,7 +71,7 @@ class Walk {
     leave(from, to);
     look_at_left();
     while (certain_ > ValueRays::kCertain && !refused_) again(std::max(ValueRays::kCertain, certain_ / kFiner));
-    if (refused_ && !(spent_ && told())) return *refused_;
+    if (refused_ && !(strictly_limited() && spent_ && told())) return *refused_;
     for (const auto& [low, high] : left_) put(low, high, 0);
     std::sort(known_.begin(), known_.end(), [](const SignStretch& a, const SignStretch& b) { return a.from < b.from; });
     return std::move(known_);

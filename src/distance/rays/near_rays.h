@@ -6,9 +6,9 @@
 // place; that place alone is near enough along a chord of the line. At its ends other places are nearer; each is nearer
 // along more of the line, and the ends come to where no place is near enough as tangents do (Newton), the last
 // stretches being searched to show that. Guarantee: as value_rays.h: the sign is - or + only where that is certain; 0
-// where the function is within kCertain of the sizes of 0 (kCoarse on lines with many ends), and on
-// what is left of a line when its work ends; refused where nothing is told by then. Cost: some eight searches for each
-// end. Keywords: sphere tracing, Newton's method, continuous collision detection.
+// where the function is within kCertain of the sizes of 0 (kCoarse on lines with many ends), and, where work is
+// strictly limited, on what is left of a line when it ends; refused where searches do not tell. Cost: some eight
+// searches for each end. Keywords: sphere tracing, Newton's method, continuous collision detection.
 #pragma once
 
 #include <functional>

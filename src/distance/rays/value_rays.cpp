@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "distance/search/solid_protrusion.h"
-#include "distance/search/strict_work.h"
 #include "exact/margins/space_distance.h"
 #include "plane/base/search_work.h"
 #include "space/rays/ray_sources.h"
@@ -92,9 +91,12 @@ std::unique_ptr<space::RaySource> by_values_map(Which which, const Real& level, 
 void ValueRays::look(Walk& walk, double from, double to) const {
   if (walk.refused) return;
   const double blur = size_ * (walk.values < kFineValues ? kCertain : kCoarse), middle = (from + to) / 2;
-  if (!walk.spent) walk.spent = ++walk.values > plane::allowed(kMostValues) || plane::cells_left() <= 0;
-  if (walk.spent || !(from < middle && middle < to)) {
+  if (!(from < middle && middle < to)) {
     walk.known.push_back({from, to, 0});
+    return;
+  }
+  if (++walk.values > plane::allowed(kMostValues) || plane::cells_left() <= 0) {
+    walk.refused.emplace(plane::search_spent("the signs along a line were not found"));
     return;
   }
   const TriedBetween found = rule_(space::along(walk.line.start, Real::from_double(middle), walk.line.unit));
@@ -144,22 +146,15 @@ std::vector<SignStretch> ValueRays::chords(const Walk& walk, const SignBall& bal
   return {{-exact::kInfinity, at - half - tolerance, ball.sign}, {at + half + tolerance, exact::kInfinity, ball.sign}};
 }
 
-exact::Tried<std::vector<SignStretch>> ValueRays::walked(const PositionLine& line) const {
-  Walk walk{line, {}};
-  const double place = space::dot(middle_ - space::rounded(line.start), space::rounded(line.unit));
-  look(walk, place - 2 * size_, place + 2 * size_);
-  if (walk.refused) return *walk.refused;
-  const bool told = std::any_of(walk.known.begin(), walk.known.end(), [](const SignStretch& s) { return s.sign != 0; });
-  if (walk.spent && !told) return plane::search_spent("the signs along a line were not found");
-  return std::move(walk.known);
-}
-
 exact::Tried<RayRow> ValueRays::try_row(int j) const {
   RayRow out;
   for (int i = 0; i < grid_.nu; ++i) {
-    const auto known = in_share_of_line(grid_.nu - i, [&] { return walked(position_line(grid_, unit_, i, j)); });
-    if (!known) return known.refusal();
-    put_line(*known, unit_, out);
+    const plane::SearchQuestion line_is_one;
+    Walk walk{position_line(grid_, unit_, i, j), {}};
+    const double place = space::dot(middle_ - space::rounded(walk.line.start), space::rounded(walk.line.unit));
+    look(walk, place - 2 * size_, place + 2 * size_);
+    if (walk.refused) return *walk.refused;
+    put_line(walk.known, unit_, out);
   }
   return out;
 }

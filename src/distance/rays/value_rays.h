@@ -6,9 +6,8 @@
 // ball, whose chord ends at the boundary or nearly so. What is left of a line is halved. So distances
 // at a level are decided from where round boundaries are to be measured from. Guarantee: the sign is - or + only where
 // that is certain; 0 where the function is within kCertain of the sizes of 0 (more where a line runs along the
-// boundary: kCoarse), and on what is left of a line when its work ends. Cost: some forty values for each end, more
-// where the line is nearly along the boundary; refused where nothing is told by then. Keywords: sphere tracing,
-// interval bisection, Lipschitz bound.
+// boundary: kCoarse). Cost: some forty values for each end, more where the line is nearly along the boundary; refused
+// where the function is 0 on long stretches. Keywords: sphere tracing, interval bisection, Lipschitz bound.
 #pragma once
 
 #include <functional>
@@ -71,13 +70,11 @@ class ValueRays : public space::RaySource {
     PositionLine line;
     std::vector<SignStretch> known;
     int values = 0;
-    bool spent = false;
     std::optional<exact::Refusal> refused{};
   };
 
-  /// Ends at once where the walk is refused; what is left when it is spent has the sign 0.
+  /// Ends at once where the walk is refused.
   void look(Walk& walk, double from, double to) const;
-  exact::Tried<std::vector<SignStretch>> walked(const PositionLine& line) const;
   /// Of the line where a value's ball says the sign, by growing place.
   std::vector<SignStretch> chords(const Walk& walk, const SignBall& ball) const;
 
