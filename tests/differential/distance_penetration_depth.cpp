@@ -290,5 +290,26 @@ TEST(PenetrationDepth, OfACollectionFromWhatIsNear) {
   }
 }
 
+/// What is near B says nothing of B itself: one that is unbounded meets what is far from its boundary. And a point of A
+/// alone may lie deep in B.
+TEST(PenetrationDepth, OfACollectionOfAnUnboundedShapeAndOfPoints) {
+  std::mt19937 rng(7);
+  const Region squares = collection(rng), point = plane::region_of_points(std::array{GridPoint{-500, -500}}),
+               a = plane::unite(std::array{&squares, &point});
+  const Region square = ring({{-9, -9}, {9, -9}, {9, 9}, {-9, 9}}), around = plane::closure(plane::complement(square));
+  for (const Region& b : {square, around}) {
+    const auto asked = std::make_shared<ShapePair>(b, a), whole = std::make_shared<ShapePair>(b, a);
+    const AtPosition at(asked);
+    for (const RealPoint& p : {RealPoint{Real(-500), Real(-497)}, RealPoint{Real(-5000), Real(10)}}) {
+      const auto value = at.measure(Which::kGamma1, p), expected = whole->distance(Which::kGamma1)->value(p);
+      ASSERT_TRUE(value && expected);
+      EXPECT_EQ(value->minus_infinity, expected->minus_infinity);
+      if (!expected->minus_infinity) {
+        EXPECT_EQ(value->value, expected->value);
+      }
+    }
+  }
+}
+
 }  // namespace distance_penetration_depth
 }  // namespace findspace::distance

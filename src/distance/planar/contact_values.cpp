@@ -66,7 +66,7 @@ const PenetrationDepth* ContactValues::penetration_depth(Which which) const {
 const plane::BoundaryComponents* ContactValues::parts() const {
   std::call_once(parts_made_, [&] {
     const plane::Region& a = boundaries_.fixed().region();
-    if (a.edges.size() < kFewEdges || !plane::is_bounded(a)) return;
+    if (a.edges.size() < kFewEdges || !boundaries_.bounded()) return;
     parts_.emplace(a);
     if (parts_->size() < kFewParts) parts_.reset();
     questions_left_ = std::int64_t(a.edges.size() / kEdgesAQuestion);
@@ -85,7 +85,8 @@ std::optional<ContactValues::Held> ContactValues::held_near(Which which, const R
     const double by = double(reach) + 1;  // and more than rounding
     const plane::Region near = parts()->near(whole, {b.x0 + x - by, b.y0 + y - by, b.x1 + x + by, b.y1 + y + by});
     if (2 * near.edges.size() > whole.edges.size()) return std::nullopt;
-    if (near.edges.empty() && which == Which::kGamma1) return Held{false, {}};
+    if (near.vertices.empty() && which == Which::kGamma1) return Held{false, {}};
+    if (near.edges.empty() && which == Which::kGamma1) return std::nullopt;  // isolated points
     if (near.edges.empty()) continue;
     const FeatureTree fixed(near);
     const auto depth = PenetrationDepth::make(

@@ -43,7 +43,8 @@ class ContactValues {
   };
   /// Nothing where the map has to tell.
   std::optional<Held> held(Which which, const exact::RealPoint& p) const;
-  /// Of a collection A, from those of its parts that are near. Nothing of another, and where the map is made.
+  /// Of a collection A, from those of its parts that are near. Nothing of another, where the map is made, and where
+  /// none but isolated points are near.
   std::optional<Held> held_near(Which which, const exact::RealPoint& p) const;
   const plane::BoundaryComponents* parts() const;
   /// Null where there is none, or the map serves better.
@@ -54,7 +55,7 @@ class ContactValues {
   std::shared_ptr<const ShapePair> pair_;
   const PairBoundaries& boundaries_;
   mutable std::once_flag parts_made_;
-  mutable std::optional<plane::BoundaryComponents> parts_;  // of A, where it has many
+  mutable std::optional<plane::BoundaryComponents> parts_;  // of A, where it has many and B is bounded
   mutable std::atomic<std::int64_t> questions_left_ = 0;    // that look at what is near
   mutable std::array<std::once_flag, 3> made_;
   mutable std::array<std::unique_ptr<const PenetrationDepth>, 3> depths_;  // of gamma1, eta1, delta1; null without one
