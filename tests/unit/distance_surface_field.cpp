@@ -66,21 +66,29 @@ TEST(SurfaceField, WhatIsKnownChangesNoDistance) {
   }
 }
 
-/// Planes that bound the part of a set in a ball: no place of it is beyond, and near a face there is one.
-TEST(SurfaceField, APlaneBoundsAllOfTheSetNearby) {
+/// Two tetrahedra that touch face to face, in one surface.
+space::SurfaceSet two_that_touch() {
+  space::Triangles all = tetrahedron(1000, {0, 0, 0});
+  const auto first = static_cast<int>(all.points.size());
+  for (const space::Point& v : tetrahedron(1000, {0, 0, 0}).points) all.points.push_back({v.x, v.y, -v.z});
+  for (const auto& f : tetrahedron(1000, {0, 0, 0}).faces)
+    all.faces.push_back({first + f[0], first + f[2], first + f[1]});
+  space::SurfaceSet out;
+  EXPECT_TRUE(out.add({space::RaySolid{std::move(all), {}, {}, nullptr, true}}, 1));
+  return out;
+}
+
+/// How many planes bound the part of a set in a ball: no place of it is beyond.
+int bounding_planes(const space::SurfaceSet& set) {
   std::mt19937 rng(5);
   std::uniform_real_distribution<double> coordinate(-200, 1200), unit(-1, 1);
-  const space::SurfaceSet set = solids(0);
   const SurfaceField field(set, {});
   int found = 0;
   for (int k = 0; k < 2000; ++k) {
     const Vector x{coordinate(rng), coordinate(rng), coordinate(rng)};
     const double reach = 100;
     const auto plane = field.bounding_plane(x, reach);
-    if (field.at(x).distance > reach * 1.01) {
-      EXPECT_FALSE(plane);
-      continue;
-    }
+    EXPECT_FALSE(plane && field.at(x).distance > reach * 1.01);
     if (!plane) continue;
     ++found;
     for (int other = 0; other < 50; ++other) {
@@ -90,8 +98,13 @@ TEST(SurfaceField, APlaneBoundsAllOfTheSetNearby) {
       }
     }
   }
-  EXPECT_GT(found, 100);
+  return found;
 }
+
+TEST(SurfaceField, APlaneBoundsAllOfTheSetNearby) { EXPECT_GT(bounding_planes(solids(0)), 100); }
+
+/// The solid is on both sides of the wall.
+TEST(SurfaceField, NoPlaneOfAWallWithinBoundsTheSet) { EXPECT_EQ(bounding_planes(two_that_touch()), 0); }
 
 TEST(PlaneTree, TellsTheHalfSpaceThatAPlaceIsFarthestBeyond) {
   std::mt19937 rng(7);

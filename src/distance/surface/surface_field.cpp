@@ -316,7 +316,8 @@ std::optional<std::vector<int>> SurfaceField::near(const Vector& place, double w
 }
 
 std::optional<space::PlaneTree::Plane> SurfaceField::bounding_plane(const Vector& x, double reach) const {
-  if (!set_.one_sheet()) return std::nullopt;  // a surface may lie within another solid
+  // Else a surface may lie within another solid, or be a wall within this one.
+  if (!set_.one_frontier()) return std::nullopt;
   const auto parts = near(x, reach * (1 + margin::kRayNoise), kFewBounding);
   if (!parts) return std::nullopt;
   std::optional<space::PlaneTree::Plane> best;
