@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include "distance/rays/value_rays.h"
@@ -94,10 +93,10 @@ class Walk {
   /// roughly before any end is told finely.
   void again(double certain) {
     certain_ = certain;
-    std::vector<SignStretch> untold;
-    std::partition_copy(known_.begin(), known_.end(), std::back_inserter(untold), known_.begin(),
-                        [](const SignStretch& s) { return s.sign == 0 && s.from < s.to; });
-    known_.resize(known_.size() - untold.size());
+    const auto rest = std::stable_partition(known_.begin(), known_.end(),
+                                            [](const SignStretch& s) { return s.sign != 0 || !(s.from < s.to); });
+    const std::vector<SignStretch> untold(rest, known_.end());
+    known_.erase(rest, known_.end());
     for (const SignStretch& s : untold) leave(s.from, s.to);
     look_at_left();
   }
