@@ -13,6 +13,7 @@
 #include "plane/base/parallel.h"
 #include "plane/base/search_work.h"
 #include "plane/base/subdivide.h"
+#include "space/polytope/extent.h"
 
 namespace findspace::distance {
 
