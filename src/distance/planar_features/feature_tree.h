@@ -5,8 +5,8 @@
 // boundary walks, and walks in that of halvings across, so that neighbours in the tree are neighbours in the plane.
 // Prepared once, asked at many positions: the nearest part to a place, and whether a place that is not too close to the
 // boundary lies in the set. Guarantee: distances are right to `slack`; membership is certain where it is given. Cost:
-// building O(n); a query about log n boxes. Keywords: bounding volume hierarchy, AABB tree, branch and bound, closest
-// feature.
+// building O(n + k log k) of k pieces; a query about log n boxes. Keywords: bounding volume hierarchy, AABB tree,
+// branch and bound, closest feature.
 #pragma once
 
 #include <algorithm>
